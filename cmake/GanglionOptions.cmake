@@ -1,0 +1,24 @@
+# How every target of the project is compiled. Linked PRIVATE, so none of it reaches a consumer.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+set(CMAKE_CXX_FLAGS_RELEASE "-O2")  # keeps assert-like checks: a robot prefers a stop with a place to a wrong turn
+
+set(GANGLION_SANITIZE "" CACHE STRING "Sanitizers for every target, as in -fsanitize=")
+
+find_program(GANGLION_CCACHE ccache)
+if(GANGLION_CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${GANGLION_CCACHE})
+  set(CMAKE_C_COMPILER_LAUNCHER ${GANGLION_CCACHE})
+endif()
+
+add_library(ganglion_options INTERFACE)
+target_compile_options(ganglion_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual -Wconversion
+  -Wno-sign-conversion -Wno-missing-field-initializers
+  -ffp-contract=off)  # the same bits with and without fused multiply-add
+if(GANGLION_SANITIZE)
+  add_compile_options(-fsanitize=${GANGLION_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
+  add_link_options(-fsanitize=${GANGLION_SANITIZE})
+endif()

@@ -1,0 +1,102 @@
+# The three functions from which all CMake lines of the tree are made, and the order of the layers they enforce.
+
+# Each layer may use the layers before it and itself. Layers on one line stand beside each other and do not meet.
+set(GANGLION_LAYERS
+  "base" "math" "units" "geometry" "random"
+  "descriptor" "config" "application"
+  "module" "fuzzy" "grid"
+  "goal|sensing|acting|coordination|sim|plant"
+  "graph" "kinds" "link" "record" "experience" "run" "plot" "report" "lab" "firmware" "studio")
+
+function(ganglion_layer_rank folder result)
+  set(rank 0)
+  foreach(layer IN LISTS GANGLION_LAYERS)
+    string(REPLACE "|" ";" beside "${layer}")
+    if(folder IN_LIST beside)
+      set(${result} ${rank} PARENT_SCOPE)
+      return()
+    endif()
+    math(EXPR rank "${rank} + 1")
+  endforeach()
+  message(FATAL_ERROR "ganglion/${folder} is not in GANGLION_LAYERS (cmake/GanglionTargets.cmake)")
+endfunction()
+
+# Stops the configuration when a target of `folder` links a target of the same or a later layer that it must not know.
+function(ganglion_check_edge folder target)
+  if(NOT target MATCHES "^ganglion_" OR target STREQUAL "ganglion_options")
+    return()
+  endif()
+  get_property(other GLOBAL PROPERTY GANGLION_FOLDER_OF_${target})
+  if(NOT other)
+    message(FATAL_ERROR "ganglion/${folder} links ${target}, which does not exist (yet): it must come earlier in the tree")
+  endif()
+  ganglion_layer_rank(${folder} mine)
+  ganglion_layer_rank(${other} theirs)
+  if(NOT folder STREQUAL other AND NOT theirs LESS mine)
+    message(FATAL_ERROR "layering: ganglion/${folder} must not use ganglion/${other}")
+  endif()
+endfunction()
+
+# ganglion_add_library([PUBLIC targets...] [PRIVATE targets...] [TEST targets...])
+# Makes ganglion_<path with underscores> from the .cpp files of this folder; its *_test.cpp files join the test program of
+# the area (the first folder below ganglion/), linked with TEST as well.
+function(ganglion_add_library)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "" "PUBLIC;PRIVATE;TEST")
+  cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY ${PROJECT_SOURCE_DIR}/ganglion OUTPUT_VARIABLE path)
+  string(REPLACE "/" "_" name "${path}")
+  string(REGEX REPLACE "/.*" "" area "${path}")
+  set(target ganglion_${name})
+  file(GLOB sources CONFIGURE_DEPENDS *.cpp)
+  file(GLOB tests CONFIGURE_DEPENDS *_test.cpp)
+  if(tests)
+    list(REMOVE_ITEM sources ${tests})
+  endif()
+  set_property(GLOBAL PROPERTY GANGLION_FOLDER_OF_${target} ${area})
+  set_property(GLOBAL APPEND PROPERTY GANGLION_LIBRARIES ${target})
+  foreach(dependency IN LISTS arg_PUBLIC arg_PRIVATE)
+    ganglion_check_edge(${area} ${dependency})
+  endforeach()
+  if(sources)
+    add_library(${target} STATIC ${sources})
+    target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR})
+    target_link_libraries(${target} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE} ganglion_options)
+  else()
+    add_library(${target} INTERFACE)
+    target_include_directories(${target} INTERFACE ${PROJECT_SOURCE_DIR})
+    target_link_libraries(${target} INTERFACE ${arg_PUBLIC} ${arg_PRIVATE})
+  endif()
+  if(tests)
+    set_property(GLOBAL APPEND PROPERTY GANGLION_AREAS ${area})
+    set_property(GLOBAL APPEND PROPERTY GANGLION_TESTS_${area} ${tests})
+    set_property(GLOBAL APPEND PROPERTY GANGLION_TEST_LINKS_${area} ${target} ${arg_TEST})
+  endif()
+endfunction()
+
+# ganglion_add_kind(name [PUBLIC targets...] [PRIVATE targets...]): the whole CMake line of a kind's folder.
+# The folder defines `extern constinit const <Class>Kind <name>_kind`; ganglion/kinds lists it.
+function(ganglion_add_kind name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "PUBLIC;PRIVATE;TEST")
+  cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME folder)
+  if(NOT folder STREQUAL name)
+    message(FATAL_ERROR "ganglion_add_kind(${name}) stands in a folder named ${folder}; they must agree")
+  endif()
+  cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY ${PROJECT_SOURCE_DIR}/ganglion OUTPUT_VARIABLE path)
+  string(REGEX REPLACE "/[^/]*$" "" parent "${path}")
+  string(REPLACE "/" "_" class "${parent}")
+  get_property(contract GLOBAL PROPERTY GANGLION_CONTRACT_${class})
+  ganglion_add_library(PUBLIC ${contract} ${arg_PUBLIC} PRIVATE ${arg_PRIVATE} TEST ${arg_TEST})
+  set_property(GLOBAL APPEND PROPERTY GANGLION_KINDS_${class} ${name})
+endfunction()
+
+# ganglion_kind_folders(contract targets...): the whole CMake line of a folder that holds one folder per kind.
+function(ganglion_kind_folders)
+  cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY ${PROJECT_SOURCE_DIR}/ganglion OUTPUT_VARIABLE path)
+  string(REPLACE "/" "_" class "${path}")
+  set_property(GLOBAL PROPERTY GANGLION_CONTRACT_${class} ${ARGN})
+  file(GLOB folders CONFIGURE_DEPENDS */CMakeLists.txt)
+  list(SORT folders)
+  foreach(folder IN LISTS folders)
+    cmake_path(GET folder PARENT_PATH folder)
+    add_subdirectory(${folder})
+  endforeach()
+endfunction()

@@ -1,0 +1,48 @@
+#include "ganglion/base/file.h"
+
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include <unistd.h>
+
+namespace ganglion {
+namespace fs = std::filesystem;
+
+Result<std::string> read_file(const fs::path& path, std::size_t max_bytes) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) return fail_at({path.string()}, ErrorCode::NotFound, "there is no such file");
+  if (!fs::is_regular_file(status)) return fail_at({path.string()}, ErrorCode::Unreadable, "is not a regular file");
+  const auto size = fs::file_size(path, error);
+  if (error) return fail_at({path.string()}, ErrorCode::Unreadable, "cannot be read: {}", error.message());
+  if (size > max_bytes) {
+    return fail_at({path.string()}, ErrorCode::TooLarge, "has {} bytes; the limit here is {}", size, max_bytes);
+  }
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) return fail_at({path.string()}, ErrorCode::Unreadable, "cannot be opened");
+  std::string content(size, '\0');
+  stream.read(content.data(), static_cast<std::streamsize>(size));
+  if (stream.bad()) return fail_at({path.string()}, ErrorCode::Unreadable, "cannot be read");
+  content.resize(static_cast<std::size_t>(stream.gcount()));
+  return content;
+}
+
+Result<void> write_file(const fs::path& path, std::string_view content) {
+  std::error_code error;
+  if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
+  fs::path part = path;
+  part += "." + std::to_string(::getpid()) + ".part";
+  std::ofstream stream(part, std::ios::binary | std::ios::trunc);
+  stream.write(content.data(), static_cast<std::streamsize>(content.size()));
+  stream.close();
+  if (stream) {
+    fs::rename(part, path, error);
+    if (!error) return {};
+  }
+  const std::string why = error ? error.message() : "disk full, or no permission";
+  fs::remove(part, error);
+  return fail_at({path.string()}, ErrorCode::Unreadable, "cannot be written: {}", why);
+}
+
+}  // namespace ganglion

@@ -1,0 +1,49 @@
+#include "ganglion/base/result.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace ganglion {
+
+std::string_view name_of(ErrorCode code) noexcept {
+  switch (code) {
+    case ErrorCode::Syntax: return "Syntax";
+    case ErrorCode::UnknownKey: return "UnknownKey";
+    case ErrorCode::MissingKey: return "MissingKey";
+    case ErrorCode::BadType: return "BadType";
+    case ErrorCode::BadParameter: return "BadParameter";
+    case ErrorCode::BadWire: return "BadWire";
+    case ErrorCode::TooLarge: return "TooLarge";
+    case ErrorCode::NotFound: return "NotFound";
+    case ErrorCode::Unreadable: return "Unreadable";
+    case ErrorCode::Corrupt: return "Corrupt";
+    case ErrorCode::Unsupported: return "Unsupported";
+  }
+  return "?";
+}
+
+std::string Error::text() const {
+  std::string where = place.file;
+  if (place.line > 0) where += fmt::format(":{}:{}", place.line, place.column);
+  return where.empty() ? message : where + ": " + message;
+}
+
+std::vector<Error> Problems::sorted() const {
+  auto key = [](const Error& error) {
+    return std::tie(error.place.file, error.place.line, error.place.column, error.message);
+  };
+  std::vector<Error> result = errors_;
+  std::stable_sort(result.begin(), result.end(), [&](const Error& a, const Error& b) { return key(a) < key(b); });
+  result.erase(std::unique(result.begin(), result.end(),
+                           [&](const Error& a, const Error& b) { return key(a) == key(b); }),
+               result.end());
+  return result;
+}
+
+std::string Problems::text() const {
+  std::string lines;
+  for (const Error& error : sorted()) lines += error.text() + "\n";
+  return lines;
+}
+
+}  // namespace ganglion

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <utility>
+#include <vector>
+
+namespace ganglion {
+
+/// Where in a file something was written; line and column count from 1, 0 = unknown.
+struct Place {
+  std::string file;
+  int line = 0;
+  int column = 0;
+  friend bool operator==(const Place&, const Place&) = default;
+};
+
+/// What went wrong, as a word that a program can rely on; the sentence for people is in Error::message.
+enum class ErrorCode {
+  Syntax,          ///< The file is not of its format.
+  UnknownKey,      ///< A key, kind, port or name that nothing answers to.
+  MissingKey,      ///< Something required is absent.
+  BadType,         ///< A value of another type than asked for.
+  BadParameter,    ///< A value outside its range, or values that contradict each other.
+  BadWire,         ///< A wire that cannot be: dangling, of another shape or unit, part of a cycle, a second writer.
+  TooLarge,        ///< Over a stated limit.
+  NotFound,        ///< A file or folder that is not there.
+  Unreadable,      ///< Input or output failed.
+  Corrupt,         ///< A file that was damaged or cut.
+  Unsupported,     ///< Well-formed, but of a version or feature we do not handle.
+};
+
+/// The code's name, as written in JSON output: "BadWire".
+std::string_view name_of(ErrorCode code) noexcept;
+
+/// An error that a person can act on: place, the value found, and what would have been right.
+struct Error {
+  ErrorCode code = ErrorCode::BadParameter;
+  std::string message;
+  Place place{};
+  /// "file:line:column: message", leaving out what is unknown.
+  std::string text() const;
+};
+
+/// A value, or the reason why there is none. Whoever calls must look at it.
+template <class T>
+class [[nodiscard]] Result : public tl::expected<T, Error> {
+ public:
+  using tl::expected<T, Error>::expected;
+};
+
+/// `return fail(ErrorCode::BadParameter, "cell_m is {}, must be > 0", cell_m);`
+template <class... Args>
+tl::unexpected<Error> fail(ErrorCode code, fmt::format_string<Args...> format, Args&&... args) {
+  return tl::unexpected<Error>(Error{code, fmt::format(format, std::forward<Args>(args)...), {}});
+}
+
+/// The same with a place.
+template <class... Args>
+tl::unexpected<Error> fail_at(Place place, ErrorCode code, fmt::format_string<Args...> format, Args&&... args) {
+  return tl::unexpected<Error>(Error{code, fmt::format(format, std::forward<Args>(args)...), std::move(place)});
+}
+
+/// Gathers every problem of a load, so that a person mends a file in one go.
+class Problems {
+ public:
+  void add(Error error) { errors_.push_back(std::move(error)); }
+  template <class... Args>
+  void add(Place place, ErrorCode code, fmt::format_string<Args...> format, Args&&... args) {
+    add(Error{code, fmt::format(format, std::forward<Args>(args)...), std::move(place)});
+  }
+  bool empty() const noexcept { return errors_.empty(); }
+  std::size_t size() const noexcept { return errors_.size(); }
+  /// In the order of the files' lines, each problem once.
+  std::vector<Error> sorted() const;
+  /// One problem a line.
+  std::string text() const;
+
+ private:
+  std::vector<Error> errors_;
+};
+
+}  // namespace ganglion

@@ -1,0 +1,47 @@
+#include "ganglion/base/result.h"
+
+#include <gtest/gtest.h>
+
+#include "ganglion/base/file.h"
+#include "ganglion/base/hash.h"
+
+namespace ganglion {
+namespace {
+
+TEST(Error, SaysItsPlaceFirst) {
+  const Error error{ErrorCode::BadWire, "\"sonar_lft\" is no sensation", {"wall.toml", 41, 12}};
+  EXPECT_EQ(error.text(), "wall.toml:41:12: \"sonar_lft\" is no sensation");
+  EXPECT_EQ((Error{ErrorCode::Syntax, "no place", {}}.text()), "no place");
+}
+
+TEST(Problems, AreSortedByLineAndListedOnce) {
+  Problems problems;
+  problems.add({"a.toml", 9, 1}, ErrorCode::BadType, "second");
+  problems.add({"a.toml", 2, 5}, ErrorCode::BadType, "first");
+  problems.add({"a.toml", 9, 1}, ErrorCode::BadType, "second");
+  EXPECT_EQ(problems.text(), "a.toml:2:5: first\na.toml:9:1: second\n");
+}
+
+TEST(File, IsWrittenWholeAndFoldersAreRefusedAsFiles) {
+  const auto folder = std::filesystem::temp_directory_path() / "ganglion_file_test";
+  std::filesystem::remove_all(folder);
+  ASSERT_TRUE(write_file(folder / "deep" / "a.txt", "hello"));
+  EXPECT_EQ(*read_file(folder / "deep" / "a.txt"), "hello");
+  EXPECT_EQ(read_file(folder / "deep").error().code, ErrorCode::Unreadable);
+  EXPECT_EQ(read_file(folder / "none").error().code, ErrorCode::NotFound);
+  EXPECT_EQ(read_file(folder / "deep" / "a.txt", 4).error().code, ErrorCode::TooLarge);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Hash, OfNamesIsFnv1a) {
+  EXPECT_EQ(hash_name(""), 0xcbf29ce484222325u);   // published offset basis
+  EXPECT_EQ(hash_name("a"), 0xaf63dc4c8601ec8cu);  // published test vector
+}
+
+TEST(CanonicalBits, FoldsZerosAndNans) {
+  EXPECT_EQ(canonical_bits(-0.0), canonical_bits(0.0));
+  EXPECT_EQ(canonical_bits(-std::numeric_limits<double>::quiet_NaN()), canonical_bits(std::numeric_limits<double>::quiet_NaN()));
+}
+
+}  // namespace
+}  // namespace ganglion

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ganglion {
+
+/// Number of letters to change, insert, delete or swap with a neighbour to turn one word into the other.
+int edit_distance(std::string_view a, std::string_view b);
+
+/// The candidate nearest to a mistyped word, case aside; none if it would take more than a third of its letters.
+std::optional<std::string> nearest(std::string_view word, std::span<const std::string> candidates);
+
+/// `; did you mean "sonar_left"?`, or `; valid: a, b, c` where nothing is near (at most 12 named), or nothing at all.
+std::string suggestion(std::string_view word, std::span<const std::string> candidates);
+
+/// "a, b, c".
+std::string join(std::span<const std::string> words, std::string_view separator = ", ");
+
+/// The shortest decimal text that reads back as the same double; "nan", "inf", "-inf".
+std::string shortest(double value);
+
+/// Reads a whole word as a double in the C locale, with "nan", "inf", "-inf"; none if anything is left over.
+std::optional<double> parse_number(std::string_view word) noexcept;
+
+/// Parts between separators, untrimmed; "" gives one empty part.
+std::vector<std::string> split(std::string_view text, char separator);
+
+/// Without white space at either end.
+std::string_view trimmed(std::string_view text) noexcept;
+
+}  // namespace ganglion
