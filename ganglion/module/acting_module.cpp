@@ -1,0 +1,79 @@
+#include "ganglion/module/acting_module.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace ganglion {
+
+void ActingModule::settle(const Tick&, std::optional<double> frame_cost) noexcept {
+  last_cost_ = std::nullopt;
+  if (joints_.below == nullptr) {
+    if (granted_) last_cost_ = frame_cost;
+  } else if (!waits()) {
+    last_cost_ = joints_.below->total_cost();
+  }
+  RequestSlot* request = joints_.request;
+  if (request == nullptr || request->status != RequestStatus::Pending) return;
+  ++request->ticks;
+  if (last_cost_) {
+    request->cost += *last_cost_;
+    request->has_cost = true;
+  }
+  const PortView& reached = links().inputs[joints_.satisfied_by];
+  if (equal_within(reached.values, request->span(), joints_.tolerance, joints_.circular)) {
+    request->status = RequestStatus::Satisfied;
+  }
+}
+
+bool ActingModule::waits() const noexcept {
+  if (joints_.below == nullptr || joints_.below->status != RequestStatus::Pending) return false;
+  // An ended or replaced request frees the module at once: what is under way below serves nobody.
+  return joints_.request == nullptr ||
+         (joints_.request->status == RequestStatus::Pending && joints_.request->serial == seen_serial_);
+}
+
+void ActingModule::cycle(const Tick& tick) noexcept {
+  const Request request = get_request();
+  const Feedback feedback = get_feedback(tick);
+  if (const auto cost = get_cost()) internal_adaptation(feedback, *cost);
+  const bool asked = joints_.request == nullptr || request.present();
+  const Command command = asked ? internal_propagation(request, feedback) : Command::inactive();
+  send_appraisal();
+  send_command(command);
+}
+
+Request ActingModule::get_request() noexcept {
+  const RequestSlot* slot = joints_.request;
+  if (slot == nullptr || slot->status != RequestStatus::Pending) return {};
+  const bool fresh = slot->serial != seen_serial_;
+  seen_serial_ = slot->serial;
+  return {slot->span(), fresh};
+}
+
+Feedback ActingModule::get_feedback(const Tick& tick) const noexcept { return {tick, links().inputs, granted_}; }
+
+std::optional<Cost> ActingModule::get_cost() const noexcept {
+  return last_cost_ ? std::optional<Cost>(Cost{*last_cost_}) : std::nullopt;
+}
+
+void ActingModule::expected_feedback(std::span<double> appraisal) const noexcept {
+  std::fill(appraisal.begin(), appraisal.end(), std::numeric_limits<double>::quiet_NaN());
+}
+
+void ActingModule::send_appraisal() const noexcept {
+  if (!links().appraisal.empty()) expected_feedback(links().appraisal);
+}
+
+void ActingModule::send_command(const Command& command) noexcept {
+  command_ = command;
+  granted_ = true;
+  if (command.kind == CommandKind::Withdraw && joints_.request != nullptr) joints_.request->withdraw(command.reason);
+  if (joints_.below == nullptr) return;
+  if (command.kind == CommandKind::Act) {
+    joints_.below->ask(command.span());
+  } else {
+    joints_.below->clear();
+  }
+}
+
+}  // namespace ganglion
