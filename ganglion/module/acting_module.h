@@ -26,6 +26,8 @@ struct ActingLinks {
 class ActingModule : public Component {
  public:
   void join(const ActingLinks& links) noexcept { joints_ = links; }
+  /// Its commands become requests of a module below.
+  void set_below(RequestSlot* below) noexcept { joints_.below = below; }
 
   /// Upward sweep: adds up what the last command cost and finds the request satisfied or not.
   /// `frame_cost` is the application's; a module above others sees the sum of theirs instead.
