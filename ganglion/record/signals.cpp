@@ -2,8 +2,8 @@
 
 #include <google/protobuf/descriptor.pb.h>
 
+#include <algorithm>
 #include <bit>
-#include <cstring>
 
 #include "ganglion/base/expects.h"
 #include "ganglion/base/hash.h"
@@ -12,44 +12,28 @@
 namespace ganglion {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "protobuf's doubles are little-endian");
-
-char* put_varint(char* at, std::uint64_t value) noexcept {
-  for (; value >= 0x80; value >>= 7) *at++ = static_cast<char>(value | 0x80);
-  *at++ = static_cast<char>(value);
-  return at;
+/// Keeps its memory from row to row.
+Signals& scratch() {
+  static thread_local Signals message;
+  return message;
 }
 
-char* put_double(char* at, std::uint64_t bits) noexcept {
-  std::memcpy(at, &bits, sizeof bits);
-  return at + sizeof bits;
-}
+double canonical(double value) noexcept { return std::bit_cast<double>(canonical_bits(value)); }
 
 }  // namespace
 
 void encode_signals(std::uint32_t tick, double time_s, std::span<const double> values, std::string& out) {
-  constexpr char kTick = 0x08, kTime = 0x11, kValues = 0x1a;  // field number * 8 + wire type
-  constexpr std::size_t kMostHeadBytes = (1 + 5) + (1 + 8) + (1 + 10);
-  out.resize(kMostHeadBytes + values.size() * sizeof(double));
-  char* at = out.data();
-  if (tick != 0) {  // proto3 leaves out what has its default value
-    *at++ = kTick;
-    at = put_varint(at, tick);
-  }
-  if (const std::uint64_t time = canonical_bits(time_s); time != 0) {
-    *at++ = kTime;
-    at = put_double(at, time);
-  }
-  if (!values.empty()) {
-    *at++ = kValues;
-    at = put_varint(at, values.size() * sizeof(double));
-    for (const double value : values) at = put_double(at, canonical_bits(value));
-  }
-  out.resize(static_cast<std::size_t>(at - out.data()));
+  Signals& message = scratch();
+  message.set_tick(tick);
+  message.set_time_s(canonical(time_s));
+  auto& list = *message.mutable_values();
+  list.Resize(static_cast<int>(values.size()), 0);
+  std::transform(values.begin(), values.end(), list.begin(), canonical);
+  expects(message.SerializeToString(&out));
 }
 
 bool decode_signals(std::string_view bytes, SignalRow& row) {
-  static thread_local Signals message;  // keeps its memory from row to row
+  Signals& message = scratch();
   if (bytes.size() > INT32_MAX || !message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) return false;
   row.tick = message.tick();
   row.time_s = message.time_s();

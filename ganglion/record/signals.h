@@ -15,9 +15,8 @@ struct SignalRow {
   std::vector<double> values;
 };
 
-/// Replaces `out` by the message's protobuf bytes, the same that libprotobuf writes, in a tenth of its time. Every NaN
-/// is written as the one quiet NaN and -0 as 0, so that equal runs have equal bytes. Takes no memory once `out` has
-/// grown.
+/// Replaces `out` by the message's bytes. Every NaN is written as the one quiet NaN and -0 as 0, so that equal runs
+/// have equal bytes. Takes no memory once `out` has grown.
 void encode_signals(std::uint32_t tick, double time_s, std::span<const double> values, std::string& out);
 
 /// False when the bytes are no such message. Reuses the memory of `row`.
