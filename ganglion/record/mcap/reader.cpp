@@ -5,6 +5,7 @@
 #include "ganglion/base/file.h"
 #include "ganglion/record/mcap/compression.h"
 #include "ganglion/record/mcap/fields.h"
+#include "ganglion/record/mcap/records.h"
 
 namespace ganglion {
 namespace {
@@ -38,9 +39,8 @@ class Parser {
   Result<void> data_record(const RecordView& record);
   Result<void> schema(std::string_view content, Definitions& into);
   Result<void> channel(std::string_view content, Definitions& into);
-  std::optional<mcap::Message> message(std::string_view content) const;
   Result<void> chunk(std::string_view content);
-  Result<std::string_view> unpack(FieldReader& fields);
+  Result<std::string_view> unpack(const mcap::ChunkView& chunk);
   Result<void> chunk_records(std::string_view records, Definitions& found);
   Result<void> attachment(std::string_view content);
   Result<void> metadata(std::string_view content);
@@ -126,7 +126,7 @@ Result<void> Parser::data_record(const RecordView& record) {
     case Opcode::DataEnd:
       return data_end(record);
     case Opcode::Message: {
-      const auto one = message(record.content);
+      const auto one = mcap::decode_message(record.content);
       if (!one || find_channel(one->channel, nullptr) == nullptr) {
         return corrupt(record_offset_, "a message is damaged, or its channel is not known");
       }
@@ -143,44 +143,23 @@ Result<void> Parser::data_record(const RecordView& record) {
 
 Result<void> Parser::schema(std::string_view content, Definitions& into) {
   if (auto outcome = count_definition(content); !outcome) return outcome;
-  FieldReader fields(content);
-  const std::uint16_t id = fields.u16();
-  mcap::Schema schema;
-  schema.name = fields.string();
-  schema.encoding = fields.string();
-  schema.data = fields.string();
-  if (!fields.ok()) return corrupt(record_offset_, "a schema record is damaged");
-  if (id != 0) into.schemas.try_emplace(id, std::move(schema));
+  auto schema = mcap::decode_schema(content);
+  if (!schema) return corrupt(record_offset_, "a schema record is damaged");
+  if (schema->first != 0) into.schemas.insert(std::move(*schema));
   return {};
 }
 
 Result<void> Parser::channel(std::string_view content, Definitions& into) {
   if (auto outcome = count_definition(content); !outcome) return outcome;
-  FieldReader fields(content);
-  mcap::Channel channel;
-  channel.id = fields.u16();
-  channel.schema = fields.u16();
-  channel.topic = fields.string();
-  channel.message_encoding = fields.string();
-  channel.metadata = fields.map();
-  if (!fields.ok()) return corrupt(record_offset_, "a channel record is damaged");
-  if (channel.schema != 0 && !into.schemas.contains(channel.schema) && !defined_.schemas.contains(channel.schema)) {
-    return corrupt(record_offset_, "channel {} \"{}\" has schema {}, which is not known", channel.id, channel.topic,
-                   channel.schema);
+  auto channel = mcap::decode_channel(content);
+  if (!channel) return corrupt(record_offset_, "a channel record is damaged");
+  if (channel->schema != 0 && !into.schemas.contains(channel->schema) && !defined_.schemas.contains(channel->schema)) {
+    return corrupt(record_offset_, "channel {} \"{}\" has schema {}, which is not known", channel->id, channel->topic,
+                   channel->schema);
   }
-  into.channels.try_emplace(channel.id, std::move(channel));
+  const std::uint16_t id = channel->id;
+  into.channels.try_emplace(id, std::move(*channel));
   return {};
-}
-
-std::optional<mcap::Message> Parser::message(std::string_view content) const {
-  FieldReader fields(content);
-  mcap::Message message;
-  message.channel = fields.u16();
-  message.sequence = fields.u32();
-  message.log_time_ns = fields.u64();
-  message.publish_time_ns = fields.u64();
-  message.data = fields.rest();
-  return fields.ok() ? std::optional(message) : std::nullopt;
 }
 
 const mcap::Channel* Parser::find_channel(std::uint16_t id, const Definitions* found) const {
@@ -209,10 +188,9 @@ Result<void> Parser::count_definition(std::string_view content) {
 
 Result<void> Parser::chunk(std::string_view content) {
   if (!sink_) return {};
-  FieldReader fields(content);
-  fields.u64();  // first and last time, which the messages tell as well
-  fields.u64();
-  const auto records = unpack(fields);
+  const auto chunk = mcap::decode_chunk(content);
+  if (!chunk) return corrupt(record_offset_, "a chunk is damaged");
+  const auto records = unpack(*chunk);
   if (!records) return tl::unexpected(records.error());
   Definitions found;
   if (auto outcome = chunk_records(*records, found); !outcome) return outcome;
@@ -222,28 +200,24 @@ Result<void> Parser::chunk(std::string_view content) {
   return {};
 }
 
-Result<std::string_view> Parser::unpack(FieldReader& fields) {
-  const std::uint64_t size = fields.u64();
-  const std::uint32_t crc = fields.u32();
-  const std::string_view compression = fields.string();
-  const std::string_view packed = fields.bytes(fields.u64());
-  if (!fields.ok()) return tl::unexpected(corrupt(record_offset_, "a chunk is damaged").error());
+Result<std::string_view> Parser::unpack(const mcap::ChunkView& chunk) {
+  const std::uint64_t size = chunk.unpacked_bytes;
   if (size > mcap::kMaxChunkBytes || (unpacked_total_ += size) > mcap::kMaxUnpackedBytes) {
     return fail_at({name_}, ErrorCode::TooLarge,
                    "byte {}: a chunk unpacks to {} bytes; the limits are {}, and {} for all", record_offset_, size,
                    mcap::kMaxChunkBytes, mcap::kMaxUnpackedBytes);
   }
-  std::string_view records = packed;
-  if (compression == "zstd") {
-    if (!decompressor_.decompress(packed, size, unpacked_)) {
+  std::string_view records = chunk.packed;
+  if (chunk.compression == "zstd") {
+    if (!decompressor_.decompress(chunk.packed, size, unpacked_)) {
       return tl::unexpected(corrupt(record_offset_, "a chunk cannot be unpacked").error());
     }
     records = unpacked_;
-  } else if (!compression.empty()) {
+  } else if (!chunk.compression.empty()) {
     return fail_at({name_}, ErrorCode::Unsupported, "byte {}: a chunk packed by \"{}\"; known: zstd, none",
-                   record_offset_, compression);
+                   record_offset_, chunk.compression);
   }
-  if (records.size() != size || (crc != 0 && mcap::crc32(records) != crc)) {
+  if (records.size() != size || (chunk.crc != 0 && mcap::crc32(records) != chunk.crc)) {
     return tl::unexpected(corrupt(record_offset_, "a chunk's content does not match its checksum or size").error());
   }
   return records;
@@ -258,7 +232,7 @@ Result<void> Parser::chunk_records(std::string_view records, Definitions& found)
     if (record->opcode == Opcode::Schema) outcome = schema(record->content, found);
     if (record->opcode == Opcode::Channel) outcome = channel(record->content, found);
     if (record->opcode == Opcode::Message) {
-      const auto one = message(record->content);
+      const auto one = mcap::decode_message(record->content);
       if (!one || find_channel(one->channel, &found) == nullptr) {
         return corrupt(record_offset_, "a message inside the chunk is damaged, or its channel is not known");
       }
@@ -274,32 +248,20 @@ Result<void> Parser::attachment(std::string_view content) {
   if (content_.attachments.size() >= mcap::kMaxAttachments) {
     return fail_at({name_}, ErrorCode::TooLarge, "byte {}: over {} attachments", record_offset_, mcap::kMaxAttachments);
   }
-  FieldReader fields(content);
-  mcap::Attachment attachment;
-  attachment.log_time_ns = fields.u64();
-  fields.u64();  // time of creation
-  attachment.name = fields.string();
-  attachment.media_type = fields.string();
-  const std::string_view data = fields.bytes(fields.u64());
-  const std::size_t covered = content.size() - fields.rest().size();
-  const std::uint32_t crc = fields.u32();
-  if (!fields.ok()) return corrupt(record_offset_, "an attachment is damaged");
-  if (crc != 0 && mcap::crc32(content.substr(0, covered)) != crc) {
-    return corrupt(record_offset_, "attachment \"{}\" does not match its checksum", attachment.name);
+  auto checked = mcap::decode_attachment(content);
+  if (!checked) return corrupt(record_offset_, "an attachment is damaged");
+  if (!checked->crc_matches) {
+    return corrupt(record_offset_, "attachment \"{}\" does not match its checksum", checked->attachment.name);
   }
-  attachment.bytes = data;
-  content_.attachments.push_back(std::move(attachment));
+  content_.attachments.push_back(std::move(checked->attachment));
   return {};
 }
 
 Result<void> Parser::metadata(std::string_view content) {
   if (auto outcome = count_definition(content); !outcome) return outcome;
-  FieldReader fields(content);
-  mcap::Metadata metadata;
-  metadata.name = fields.string();
-  metadata.fields = fields.map();
-  if (!fields.ok()) return corrupt(record_offset_, "a metadata record is damaged");
-  content_.metadata.push_back(std::move(metadata));
+  auto metadata = mcap::decode_metadata(content);
+  if (!metadata) return corrupt(record_offset_, "a metadata record is damaged");
+  content_.metadata.push_back(std::move(*metadata));
   return {};
 }
 
