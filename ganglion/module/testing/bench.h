@@ -1,8 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <initializer_list>
 #include <limits>
 #include <memory>
+#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -73,6 +76,15 @@ class Bench {
   void set(std::string_view port, double value) { set(port, {value}); }
   void age(std::string_view port, double age_s) { find(inputs_, port).ages_s.at(0) = age_s; }
   double out(std::string_view port, std::size_t index = 0) { return find(outputs_, port).values.at(index); }
+
+  /// All that is wired, to be filled as one likes.
+  std::vector<std::span<double>> wired() {
+    std::vector<std::span<double>> result;
+    for (Port& input : inputs_) {
+      if (!input.values.empty()) result.emplace_back(input.values);
+    }
+    return result;
+  }
 
   Product& product() { return *product_; }
   const Tick& tick() const noexcept { return tick_; }
