@@ -53,6 +53,8 @@ class ActingModule : public Component {
   virtual void expected_feedback(std::span<double> appraisal) const noexcept;
 
  private:
+  /// The last command is still under way below: in a cycle this means that a new request broke it off.
+  bool interrupted() const noexcept;
   Request get_request() noexcept;
   Feedback get_feedback(const Tick& tick) const noexcept;
   std::optional<Cost> get_cost() const noexcept;
