@@ -36,7 +36,7 @@ constexpr std::array kPorts = {
 };
 
 constexpr std::array kParameters = {
-    ParameterDescriptor{.name = "center_V",
+    ParameterDescriptor{.name = "centre_V",
                         .unit = "V",
                         .preset = 2.5,
                         .min = 0,
@@ -76,7 +76,7 @@ bool plausible(const VoltageSpan& span) noexcept {
 }  // namespace
 
 Result<std::unique_ptr<SensingModule>> CompassDecoder::make(const Parameters& parameters) {
-  return std::make_unique<CompassDecoder>(CompassDecoderConfig{.center_V = parameters.real("center_V"),
+  return std::make_unique<CompassDecoder>(CompassDecoderConfig{.centre_V = parameters.real("centre_V"),
                                                                .amplitude_V = parameters.real("amplitude_V"),
                                                                .least_strength = parameters.real("least_strength"),
                                                                .most_strength = parameters.real("most_strength"),
@@ -109,7 +109,7 @@ void CompassDecoder::learn(double va, double vb, double bearing_rad) noexcept {
 }
 
 double CompassDecoder::reduced(double voltage, const VoltageSpan& span) const noexcept {
-  if (!calibrated_) return (voltage - config_.center_V) / config_.amplitude_V;
+  if (!calibrated_) return (voltage - config_.centre_V) / config_.amplitude_V;
   return (2 * voltage - span.low_V - span.high_V) / (span.high_V - span.low_V);
 }
 

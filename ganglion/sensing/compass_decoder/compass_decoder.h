@@ -10,7 +10,7 @@
 namespace ganglion {
 
 struct CompassDecoderConfig {
-  double center_V = 2.5;
+  double centre_V = 2.5;
   double amplitude_V = 0.594;
   double least_strength = 0.25;
   double most_strength = 2;
