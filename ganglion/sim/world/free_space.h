@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <vector>
@@ -25,14 +26,19 @@ class FreeSpace {
   Vector2 sample(double clearance_m, Draws& draws);
 
  private:
-  const std::vector<std::uint32_t>& part(double clearance_m);
+  using Cells = std::vector<std::uint32_t>;
+  const Cells& part(double clearance_m);
+  Cells largest_part(double clearance_m) const;
+  bool roomy(Vector2 point, double clearance_m) const noexcept;
+  /// Whether no wall stands between two points of one cell or of neighbours; clearance alone tells where it is ample.
+  bool joined(Vector2 a, Vector2 b, double clearance_m) const noexcept;
   Vector2 centre(std::uint32_t cell) const noexcept;
 
   std::shared_ptr<const Ground> ground_;
   double cell_m_;
   int columns_ = 1;
   int rows_ = 1;
-  std::map<double, std::vector<std::uint32_t>> parts_;  ///< By clearance: the cells of the largest part.
+  std::map<double, Cells> parts_;  ///< By clearance: the cells of the largest part.
 };
 
 }  // namespace ganglion::sim

@@ -138,6 +138,11 @@ double World::distance_to(std::size_t mover, Vector2 point) const noexcept {
   return distance_m;
 }
 
+double World::mover_clearance(std::size_t mover, Vector2 point) const noexcept {
+  const double distance_m = distance_to(mover, point);
+  return mover_contains(mover, point) ? -distance_m : distance_m;
+}
+
 bool World::mover_contains(std::size_t mover, Vector2 point) const noexcept {
   const Vector2 away = point - movers_[mover].pose.position;
   if (away.squared() >= movers_[mover].radius_m * movers_[mover].radius_m) return false;

@@ -51,6 +51,9 @@ class World {
   /// Distance to the nearest surface, at most up_to_m; negative inside solids, down to -up_to_m.
   double clearance(Vector2 point, double up_to_m) const noexcept;
 
+  /// Distance from a mover's surface as it stands; negative inside it.
+  double mover_clearance(std::size_t mover, Vector2 point) const noexcept;
+
   const Ground& ground() const noexcept { return *ground_; }
   const std::shared_ptr<const Ground>& shared_ground() const noexcept { return ground_; }
   std::span<const MoverState> movers() const noexcept { return movers_; }
