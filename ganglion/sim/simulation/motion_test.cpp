@@ -117,7 +117,7 @@ TEST(Simulation, TellsOnlyTheNormalPartOfAnApproach) {
   Trial run(kRoom, kFast, at(5, 9.5, 30));
   run.go({1, 1}, 0.1, 10);
   EXPECT_EQ(run.truth().contacts, 1);
-  EXPECT_NEAR(run.truth().contact_speed_mps, 0.5, 1e-9);  // 1 m/s * sin 30 deg
+  EXPECT_NEAR(run.truth().fastest_contact_mps, 0.5, 1e-9);  // 1 m/s * sin 30 deg
 }
 
 TEST(Simulation, KeepsTouchingWhileARobotRestsAtAWall) {
@@ -159,9 +159,9 @@ TEST(Simulation, ReturnsASteppingRobotThatTouchedSomething) {
   EXPECT_TRUE(run.truth().touched);
   EXPECT_EQ(run.value("skin.contact"), 1);
   EXPECT_EQ(run.truth().contacts, 1);
-  run.go({1, kPi / 4}, 1);
-  EXPECT_NEAR(run.truth().pose.position.x, 1.25, 1e-9);
-  EXPECT_NEAR(run.truth().pose.position.y, 0.75, 1e-9);
+  run.go({-1, kPi}, 1);
+  EXPECT_NEAR(run.truth().pose.position.x, 0.25, 1e-9);
+  EXPECT_NEAR(run.truth().pose.position.y, 0.25, 1e-9);
   EXPECT_FALSE(run.truth().touched);
   EXPECT_EQ(run.value("skin.contact"), 0);
 }
