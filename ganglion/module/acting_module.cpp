@@ -15,13 +15,15 @@ void ActingModule::settle(const Tick&, std::optional<double> frame_cost) noexcep
   RequestSlot* request = joints_.request;
   if (request == nullptr || request->status != RequestStatus::Pending) return;
   ++request->ticks;
-  if (last_cost_) {
-    request->cost += *last_cost_;
-    request->has_cost = true;
-  }
+  std::optional<double> spent = last_cost_;
   const PortView& reached = links().inputs[joints_.satisfied_by];
   if (equal_within(reached.values, request->span(), joints_.tolerance, joints_.circular)) {
     request->status = RequestStatus::Satisfied;
+    if (interrupted()) spent = joints_.below->total_cost();  // nothing is learned from it, yet it was paid
+  }
+  if (spent) {
+    request->cost += *spent;
+    request->has_cost = true;
   }
 }
 
@@ -51,7 +53,13 @@ Request ActingModule::get_request() noexcept {
 }
 
 Feedback ActingModule::get_feedback(const Tick& tick) const noexcept {
-  return {tick, links().inputs, granted_ && !interrupted()};
+  Feedback feedback{tick, links().inputs, granted_ && !interrupted()};
+  const RequestSlot* answer = joints_.below != nullptr ? joints_.below : joints_.answer;
+  if (answer != nullptr && granted_ && command_.kind == CommandKind::Act) {
+    feedback.outcome = answer->status;
+    if (answer->status == RequestStatus::Withdrawn) feedback.reason = answer->reason;
+  }
+  return feedback;
 }
 
 bool ActingModule::interrupted() const noexcept {
