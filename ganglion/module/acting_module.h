@@ -62,6 +62,7 @@ class ActingModule : public Component {
   Request get_request() noexcept;
   Feedback get_feedback(const Tick& tick) const noexcept;
   std::optional<Cost> get_cost() const noexcept;
+  Command unasked() const noexcept;
   void send_appraisal() const noexcept;
   void send_command(const Command& command) noexcept;
 
