@@ -1,0 +1,85 @@
+#include "ganglion/plot/canvas/svg_text.h"
+
+#include <fmt/format.h>
+
+#include "ganglion/base/text.h"
+#include "ganglion/plot/canvas/picture.h"
+
+namespace ganglion::plot {
+namespace {
+
+bool is_digit(char c) noexcept { return c >= '0' && c <= '9'; }
+
+/// Hundredths are enough for the eye; transformation matrices keep more, they multiply.
+std::string rounded(std::string_view number) {
+  const std::size_t point = number.find('.');
+  const bool matrix_factor = point == 1 && number[0] == '0';
+  const std::size_t decimals = matrix_factor ? 4 : 2;
+  if (point == std::string_view::npos || number.size() <= point + 1 + decimals) return std::string(number);
+  const auto value = parse_number(number);
+  if (!value) return std::string(number);
+  std::string text = fmt::format("{:.{}f}", *value, decimals);
+  while (text.back() == '0') text.pop_back();
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
+/// Copies Cairo's markup, rounding what looks like a decimal number and prefixing ids where they are made and used.
+std::string copy_markup(std::string_view svg, std::string_view id_prefix) {
+  static constexpr std::string_view kIdMarks[] = {"id=\"", "href=\"#", "url(#"};
+  std::string result;
+  result.reserve(svg.size());
+  for (std::size_t i = 0; i < svg.size();) {
+    if (is_digit(svg[i]) && (i == 0 || svg[i - 1] == ' ' || svg[i - 1] == '-' || svg[i - 1] == '"' ||
+                             svg[i - 1] == '(' || svg[i - 1] == ',')) {
+      std::size_t end = i;
+      while (end < svg.size() && (is_digit(svg[end]) || svg[end] == '.')) ++end;
+      result += rounded(svg.substr(i, end - i));
+      i = end;
+      continue;
+    }
+    std::size_t step = 1;
+    for (const std::string_view mark : kIdMarks)
+      if (svg.substr(i, mark.size()) == mark) step = mark.size();
+    result += svg.substr(i, step);
+    if (step > 1) result += id_prefix;
+    i += step;
+  }
+  return result;
+}
+
+std::string text_element(const PlacedText& text) {
+  static constexpr std::string_view kAnchors[] = {"start", "middle", "end"};
+  const Colour& c = text.style.colour;
+  const auto byte = [](double part) { return static_cast<int>(part * 255 + 0.5); };
+  const std::string turn =
+      text.style.upright ? fmt::format(" transform=\"rotate(-90 {:.2f} {:.2f})\"", text.place.x, text.place.y) : "";
+  return fmt::format(
+      "<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{}\"{} text-anchor=\"{}\" textLength=\"{:.1f}\" "
+      "lengthAdjust=\"spacingAndGlyphs\" fill=\"#{:02x}{:02x}{:02x}\"{}>{}</text>\n",
+      text.place.x, text.place.y, text.style.size_px, text.style.bold ? " font-weight=\"bold\"" : "",
+      kAnchors[static_cast<std::size_t>(text.anchor)], text.width_px, byte(c.red), byte(c.green), byte(c.blue), turn,
+      escape_markup(text.text));
+}
+
+}  // namespace
+
+std::string finish_svg(std::string_view cairo_svg, std::span<const PlacedText> texts, std::string_view title,
+                       std::string_view description, std::string_view id_prefix) {
+  const std::size_t tag = cairo_svg.find("<svg ");
+  const std::size_t body = cairo_svg.find('>', tag) + 1;
+  const std::size_t end = cairo_svg.rfind("</svg>");
+  std::string result(cairo_svg.substr(0, tag));
+  result += fmt::format("<svg role=\"img\" aria-labelledby=\"{0}title\" aria-describedby=\"{0}desc\" ", id_prefix);
+  result += cairo_svg.substr(tag + 5, body - tag - 5);
+  result += fmt::format("\n<title id=\"{0}title\">{1}</title>\n<desc id=\"{0}desc\">{2}</desc>", id_prefix,
+                        escape_markup(clean_text(title)), escape_markup(clean_text(description)));
+  result += copy_markup(cairo_svg.substr(body, end - body), id_prefix);
+  result += "<g font-family=\"'DejaVu Sans', Verdana, sans-serif\">\n";
+  for (const PlacedText& text : texts) result += text_element(text);
+  result += "</g>\n";
+  result += cairo_svg.substr(end);
+  return result;
+}
+
+}  // namespace ganglion::plot

@@ -1,0 +1,86 @@
+#include "ganglion/plot/words.h"
+
+namespace ganglion::plot {
+namespace {
+
+constexpr Words kEnglish{
+    .trajectory = "Trajectory",
+    .trajectory_about = "The way each robot drove, seen from above.",
+    .learned_map = "Learned map",
+    .learned_map_about = "What the router had learned at the end of the run: the risk that crossing a cell fails.",
+    .signals = "Signals over time",
+    .signals_about = "Every recorded signal against time.",
+    .behaviours = "Behaviours over time",
+    .behaviours_about = "Which behaviour drove, and which wanted to but was suppressed.",
+    .legend = "Legend",
+    .start = "start",
+    .end = "end",
+    .path = "trajectory",
+    .contact = "contact",
+    .goal = "goal",
+    .goal_withdrawn = "goal given up",
+    .wall = "wall",
+    .static_obstacle = "static obstacle",
+    .dynamic_obstacle = "dynamic obstacle",
+    .earlier_place = "its other places",
+    .failed_attempt = "failed attempt",
+    .no_behaviour = "no behaviour",
+    .active = "drives",
+    .suppressed = "wants to, suppressed",
+    .quiet = "quiet",
+    .time = "time",
+    .risk = "risk",
+    .unexplored = "unexplored",
+    .occupied = "occupied",
+    .dynamic = "dynamic",
+    .inhibited = "inhibited",
+    .no_reading = "no valid reading",
+    .nothing_in_range = "nothing in range",
+    .too_close = "too close",
+    .no_data = "nothing was recorded",
+    .robot = "robot",
+};
+
+constexpr Words kSpanish{
+    .trajectory = "Trayectoria",
+    .trajectory_about = "El camino de cada robot, visto desde arriba.",
+    .learned_map = "Mapa aprendido",
+    .learned_map_about = "Lo que el planificador sabía al final: el riesgo de que falle el paso por una celda.",
+    .signals = "Señales en el tiempo",
+    .signals_about = "Cada señal registrada frente al tiempo.",
+    .behaviours = "Comportamientos en el tiempo",
+    .behaviours_about = "Qué comportamiento conducía y cuál quería hacerlo pero estaba suprimido.",
+    .legend = "Leyenda",
+    .start = "inicio",
+    .end = "final",
+    .path = "trayectoria",
+    .contact = "contacto",
+    .goal = "objetivo",
+    .goal_withdrawn = "objetivo abandonado",
+    .wall = "pared",
+    .static_obstacle = "obstáculo estático",
+    .dynamic_obstacle = "obstáculo dinámico",
+    .earlier_place = "sus otros lugares",
+    .failed_attempt = "intento fallido",
+    .no_behaviour = "ningún comportamiento",
+    .active = "conduce",
+    .suppressed = "quiere, suprimido",
+    .quiet = "en reposo",
+    .time = "tiempo",
+    .risk = "riesgo",
+    .unexplored = "sin explorar",
+    .occupied = "ocupada",
+    .dynamic = "dinámica",
+    .inhibited = "inhibida",
+    .no_reading = "sin lectura válida",
+    .nothing_in_range = "nada al alcance",
+    .too_close = "demasiado cerca",
+    .no_data = "no se registró nada",
+    .robot = "robot",
+};
+
+}  // namespace
+
+const Words& words(Language language) noexcept { return language == Language::Spanish ? kSpanish : kEnglish; }
+
+}  // namespace ganglion::plot
