@@ -51,13 +51,14 @@ std::uint8_t inhibition_at(const MapFrame& frame, double cell_m, Vector2 point) 
   const double column = std::floor((point.x - frame.origin.x) / cell_m);
   const double row = std::floor((point.y - frame.origin.y) / cell_m);
   if (!(column >= 0 && row >= 0 && column < frame.columns && row < frame.rows)) return 0;
-  return frame.inhibited[static_cast<std::size_t>(row) * frame.columns + static_cast<std::size_t>(column)];
+  const std::size_t cell = static_cast<std::size_t>(row) * frame.columns + static_cast<std::size_t>(column);
+  return cell < frame.inhibited.size() ? frame.inhibited[cell] : 0;
 }
 
 void add_attempts(std::vector<Attempt>& attempts, const RobotView& robot, const MapView& map, std::size_t index) {
   const MapFrame& now = map.frames[index];
   const auto row_of_track = index_at(robot.track.times_s, now.time_s);
-  if (!row_of_track || now.inhibited.empty()) return;
+  if (!row_of_track || now.inhibited.size() < static_cast<std::size_t>(now.columns) * now.rows) return;
   const Vector2 from{robot.track.x_m[*row_of_track], robot.track.y_m[*row_of_track]};
   for (int row = 0; row < now.rows; ++row) {
     for (int column = 0; column < now.columns; ++column) {
@@ -107,6 +108,7 @@ Bounds bounds_of(const RunView& run) noexcept {
   }
   extent.add(run.scene.walls);
   extent.add(run.scene.furniture);
+  extent.add(run.scene.solids);
   for (const RobotView& robot : run.robots) add_robot(extent, robot);
   return extent.bounds();
 }

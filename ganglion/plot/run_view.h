@@ -36,6 +36,8 @@ struct Bounds {
 struct Scene {
   std::vector<Outline> walls;
   std::vector<Outline> furniture;
+  std::vector<Outline> solids;   ///< Closed: what a scanned map holds for occupied, as filled shapes.
+  std::vector<Outline> unknown;  ///< Closed: what a scanned map knows nothing of; as solid as the others.
   std::vector<Mover> movers;
   std::vector<Pose2> spawns;
   std::optional<Bounds> bounds;  ///< None where the run knows no ground.
@@ -166,10 +168,16 @@ struct Measure {
   double value = 0;
 };
 
+/// A sentence about the run. Where there is no Spanish for it, readers of Spanish get the English, marked as such.
+struct Sentence {
+  std::string english;
+  std::string spanish;
+};
+
 struct RunOutcome {
   bool success = false;
-  std::string reason;     ///< In plain words, as recorded.
-  std::string criterion;  ///< The criterion of success as the experiment states it; may be empty.
+  Sentence reason;     ///< Why it ended, in plain words.
+  Sentence criterion;  ///< What the experiment calls success; may be empty.
   std::string digest;
 };
 

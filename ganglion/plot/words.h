@@ -25,6 +25,8 @@ struct Words {
   Word static_obstacle;
   Word dynamic_obstacle;
   Word earlier_place;
+  Word unknown_ground;
+  Word true_outline;
   Word failed_attempt;
   Word no_behaviour;
   Word active;
@@ -44,5 +46,7 @@ struct Words {
 };
 
 const Words& words(Language language) noexcept;
+
+using WordOf = Word Words::*;
 
 }  // namespace ganglion::plot

@@ -29,7 +29,7 @@ std::vector<double> round_ticks(double lower, double upper, int at_most) {
   for (const double factor : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0}) {
     step = factor * power;
     const double count = std::floor(upper / step) - std::ceil(lower / step) + 1;
-    if (step >= least * (1 - 1e-12) && count <= at_most) break;
+    if (count <= at_most) break;
   }
   std::vector<double> ticks;
   const double first = std::ceil(lower / step - 1e-9);

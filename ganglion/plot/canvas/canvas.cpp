@@ -64,6 +64,16 @@ void Canvas::polygon(std::span<const Vector2> points, Colour colour, const Pen& 
   stroke(edge);
 }
 
+void Canvas::polygons(std::span<const std::vector<Vector2>> shapes, Colour colour) {
+  for (const std::vector<Vector2>& shape : shapes) trace(shape, true);
+  fill(colour);
+}
+
+void Canvas::rectangles(std::span<const std::array<Vector2, 2>> corners_and_sizes, Colour colour) {
+  for (const auto& [corner, size] : corners_and_sizes) cairo_rectangle(context_, corner.x, corner.y, size.x, size.y);
+  fill(colour);
+}
+
 void Canvas::rectangle(Vector2 corner, Vector2 size, Colour colour) {
   cairo_rectangle(context_, corner.x, corner.y, size.x, size.y);
   fill(colour);

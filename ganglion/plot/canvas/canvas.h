@@ -50,6 +50,9 @@ class Canvas {
   void line(Vector2 from, Vector2 to, const Pen& pen);
   void polygon(std::span<const Vector2> points, Colour fill);
   void polygon(std::span<const Vector2> points, Colour fill, const Pen& edge);
+  /// Many shapes of one colour as one path, which keeps files small.
+  void polygons(std::span<const std::vector<Vector2>> shapes, Colour fill);
+  void rectangles(std::span<const std::array<Vector2, 2>> corners_and_sizes, Colour fill);
   void rectangle(Vector2 corner, Vector2 size, Colour fill);
   void rectangle(Vector2 corner, Vector2 size, const Pen& edge);
   void disc(Vector2 centre, double radius_px, Colour fill);

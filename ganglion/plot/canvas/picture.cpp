@@ -64,25 +64,48 @@ cairo_status_t draw(const Picture& picture, PictureFormat format, cairo_surface_
   return cairo_status(context.get());
 }
 
-}  // namespace
+/// What Cairo wrote, and the texts it was not given.
+struct Rendered {
+  std::string bytes;
+  std::vector<PlacedText> texts;
+};
 
-Result<std::string> render(const Picture& picture, PictureFormat format, std::string_view id_prefix) {
+Result<Rendered> render_parts(const Picture& picture, PictureFormat format) {
   if (!(picture.width_px >= 1 && picture.width_px <= kMaxSide_px && picture.height_px >= 1 &&
         picture.height_px <= kMaxSide_px))
     return fail(ErrorCode::TooLarge, "picture {}: {} x {} pixels, at most {} each way", picture.id, picture.width_px,
                 picture.height_px, kMaxSide_px);
-  std::string bytes;
-  std::vector<PlacedText> texts;
-  const Surface surface = make_surface(picture, format, bytes);
-  cairo_status_t status = draw(picture, format, surface.get(), texts);
+  Rendered rendered;
+  const Surface surface = make_surface(picture, format, rendered.bytes);
+  cairo_status_t status = draw(picture, format, surface.get(), rendered.texts);
   if (status == CAIRO_STATUS_SUCCESS && format == PictureFormat::Png)
-    status = cairo_surface_write_to_png_stream(surface.get(), append, &bytes);
+    status = cairo_surface_write_to_png_stream(surface.get(), append, &rendered.bytes);
   cairo_surface_finish(surface.get());
   if (status == CAIRO_STATUS_SUCCESS) status = cairo_surface_status(surface.get());
   if (status != CAIRO_STATUS_SUCCESS)
     return fail(ErrorCode::Unreadable, "picture {}: {}", picture.id, cairo_status_to_string(status));
-  if (format == PictureFormat::Svg) return finish_svg(bytes, texts, picture.title, picture.description, id_prefix);
-  return bytes;
+  return rendered;
+}
+
+}  // namespace
+
+Result<std::string> render(const Picture& picture, PictureFormat format) {
+  auto rendered = render_parts(picture, format);
+  if (!rendered) return tl::unexpected(rendered.error());
+  if (format != PictureFormat::Svg) return std::move(rendered->bytes);
+  return finish_svg(rendered->bytes, rendered->texts, picture.title, picture.description);
+}
+
+Result<std::string> render_for_page(const Picture& english, const Picture& spanish, std::string_view id_prefix) {
+  const auto en = render_parts(english, PictureFormat::Svg);
+  if (!en) return tl::unexpected(en.error());
+  const auto es = render_parts(spanish, PictureFormat::Svg);
+  if (!es) return tl::unexpected(es.error());
+  const SaidTexts said[] = {{"en", en->texts}, {"es", es->texts}};
+  if (en->bytes == es->bytes) return inline_svg(en->bytes, said, id_prefix);
+  return fmt::format("<div class=\"said-en\">{}</div><div class=\"said-es\">{}</div>",
+                     inline_svg(en->bytes, std::span(said, 1), fmt::format("{}en-", id_prefix)),
+                     inline_svg(es->bytes, std::span(said + 1, 1), fmt::format("{}es-", id_prefix)));
 }
 
 Result<std::filesystem::path> save(const Picture& picture, PictureFormat format, const std::filesystem::path& folder) {

@@ -22,10 +22,13 @@ struct Picture {
 
 enum class PictureFormat { Svg, Png, Pdf };
 
-/// The file's content. Texts stay texts in SVG and PDF; SVG has <title> and <desc>, and ids that begin with
-/// `id_prefix` so that many can stand in one page. PNG has two dots per pixel. Fails with TooLarge or Unreadable
-/// (Cairo).
-Result<std::string> render(const Picture& picture, PictureFormat format, std::string_view id_prefix = "");
+/// The file's content. Texts stay texts in SVG and PDF; SVG has <title> and <desc>; PNG has two dots per pixel. Fails
+/// with TooLarge or Unreadable (Cairo).
+Result<std::string> render(const Picture& picture, PictureFormat format);
+
+/// One picture in two languages as SVG for a page whose style hides .said-en or .said-es: the shapes once and the texts
+/// of both where the shapes are the same, else the whole picture twice. See inline_svg() for `id_prefix`.
+Result<std::string> render_for_page(const Picture& english, const Picture& spanish, std::string_view id_prefix);
 
 /// <folder>/<id>.svg and so on.
 Result<std::filesystem::path> save(const Picture& picture, PictureFormat format, const std::filesystem::path& folder);

@@ -62,24 +62,51 @@ std::string text_element(const PlacedText& text) {
       escape_markup(text.text));
 }
 
+constexpr std::string_view kFontFamily = "font-family=\"'DejaVu Sans', Verdana, sans-serif\"";
+
+/// Cairo's file in its parts.
+struct Parts {
+  std::string_view header;      ///< Before <svg
+  std::string_view attributes;  ///< Of <svg, with the closing '>'
+  std::string_view body;
+};
+
+Parts parts_of(std::string_view svg) {
+  const std::size_t tag = svg.find("<svg ");
+  const std::size_t body = svg.find('>', tag) + 1;
+  const std::size_t end = svg.rfind("</svg>");
+  return {svg.substr(0, tag), svg.substr(tag + 5, body - tag - 5), svg.substr(body, end - body)};
+}
+
+std::string text_group(std::span<const PlacedText> texts, std::string_view tag) {
+  std::string group = fmt::format("<g {}", kFontFamily);
+  if (!tag.empty()) group += fmt::format(" class=\"said-{0}\" lang=\"{0}\"", tag);
+  group += ">\n";
+  for (const PlacedText& text : texts) group += text_element(text);
+  return group + "</g>\n";
+}
+
 }  // namespace
 
 std::string finish_svg(std::string_view cairo_svg, std::span<const PlacedText> texts, std::string_view title,
-                       std::string_view description, std::string_view id_prefix) {
-  const std::size_t tag = cairo_svg.find("<svg ");
-  const std::size_t body = cairo_svg.find('>', tag) + 1;
-  const std::size_t end = cairo_svg.rfind("</svg>");
-  std::string result(cairo_svg.substr(0, tag));
-  result += fmt::format("<svg role=\"img\" aria-labelledby=\"{0}title\" aria-describedby=\"{0}desc\" ", id_prefix);
-  result += cairo_svg.substr(tag + 5, body - tag - 5);
-  result += fmt::format("\n<title id=\"{0}title\">{1}</title>\n<desc id=\"{0}desc\">{2}</desc>", id_prefix,
-                        escape_markup(clean_text(title)), escape_markup(clean_text(description)));
-  result += copy_markup(cairo_svg.substr(body, end - body), id_prefix);
-  result += "<g font-family=\"'DejaVu Sans', Verdana, sans-serif\">\n";
-  for (const PlacedText& text : texts) result += text_element(text);
-  result += "</g>\n";
-  result += cairo_svg.substr(end);
-  return result;
+                       std::string_view description) {
+  const Parts parts = parts_of(cairo_svg);
+  return fmt::format(
+      "{}<svg role=\"img\" aria-labelledby=\"title\" aria-describedby=\"desc\" {}\n<title id=\"title\">{}</title>\n"
+      "<desc id=\"desc\">{}</desc>{}{}</svg>\n",
+      parts.header, parts.attributes, escape_markup(clean_text(title)), escape_markup(clean_text(description)),
+      copy_markup(parts.body, ""), text_group(texts, ""));
+}
+
+std::string inline_svg(std::string_view cairo_svg, std::span<const SaidTexts> said, std::string_view id_prefix) {
+  const Parts parts = parts_of(cairo_svg);
+  const std::size_t view_box = parts.attributes.find("viewBox=");
+  const std::size_t end = parts.attributes.find('"', view_box + 9) + 1;
+  std::string result = fmt::format("<svg role=\"img\" aria-labelledby=\"{}caption\" {}>", id_prefix,
+                                   parts.attributes.substr(view_box, end - view_box));
+  result += copy_markup(parts.body, id_prefix);
+  for (const SaidTexts& one : said) result += text_group(one.texts, one.tag);
+  return result + "</svg>";
 }
 
 }  // namespace ganglion::plot

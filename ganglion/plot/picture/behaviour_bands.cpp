@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "ganglion/plot/canvas/axes.h"
-#include "ganglion/plot/canvas/legend.h"
+#include "ganglion/plot/picture/ground.h"
 #include "ganglion/plot/picture/pictures.h"
 
 namespace ganglion::plot {
@@ -77,14 +76,13 @@ void draw_coordination(Canvas& canvas, const Coordination& coordination, double 
 void draw_legend(Canvas& canvas, Vector2 at, const Words& said) {
   const Colour colour = Colour::hex(0x4b535d);
   const Vector2 size{26, 14};
-  for (const std::string_view word :
-       {std::string_view(said.active), std::string_view(said.suppressed), std::string_view(said.quiet)}) {
+  for (const WordOf word : {&Words::active, &Words::suppressed, &Words::quiet}) {
     const std::array<std::array<Vector2, 2>, 1> box{std::array{at - Vector2{0, 11}, size}};
-    if (word == std::string_view(said.active)) canvas.rectangle(box[0][0], size, colour);
-    if (word == std::string_view(said.suppressed)) canvas.hatch(box, 5, {colour, 1.2, {}});
+    if (word == &Words::active) canvas.rectangle(box[0][0], size, colour);
+    if (word == &Words::suppressed) canvas.hatch(box, 5, {colour, 1.2, {}});
     canvas.rectangle(box[0][0], size, kEdge);
-    canvas.text(at + Vector2{34, 0}, word);
-    at.x += 34 + canvas.text_width(word) + 28;
+    canvas.text(at + Vector2{34, 0}, said.*word);
+    at.x += 34 + widest(canvas, word) + 28;
   }
 }
 

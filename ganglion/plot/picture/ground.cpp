@@ -27,6 +27,12 @@ void draw_outline(Canvas& canvas, const Axes& axes, const Outline& outline, cons
   canvas.line(points, pen);
 }
 
+void draw_filled(Canvas& canvas, const Axes& axes, const std::vector<Outline>& outlines, Colour fill) {
+  std::vector<std::vector<Vector2>> shapes;
+  for (const Outline& outline : outlines) shapes.push_back(placed(axes, outline.points, {}));
+  canvas.polygons(shapes, fill);
+}
+
 void draw_mover(Canvas& canvas, const Axes& axes, const Mover& mover, double time_s) {
   const std::size_t now = index_at(mover.times_s, time_s).value_or(0);
   std::vector<Pose2> others;
@@ -52,6 +58,8 @@ void draw_ground(Canvas& canvas, const Axes& axes, const Scene& scene, double ti
     else
       draw_outline(canvas, axes, piece, kFurnitureEdge);
   }
+  draw_filled(canvas, axes, scene.unknown, kMoverFill);
+  draw_filled(canvas, axes, scene.solids, kWall.colour);
   for (const Outline& wall : scene.walls) draw_outline(canvas, axes, wall, kWall);
   for (const Mover& mover : scene.movers) draw_mover(canvas, axes, mover, time_s);
   canvas.unclip();
@@ -59,12 +67,15 @@ void draw_ground(Canvas& canvas, const Axes& axes, const Scene& scene, double ti
 
 void add_ground_to_legend(Legend& legend, const Scene& scene, const Words& words) {
   const Vector2 half{7, 6};
-  if (!scene.walls.empty()) legend.add_line(std::string(words.wall), kWall);
+  if (!scene.walls.empty() || !scene.solids.empty()) legend.add_line(std::string(words.wall), kWall);
   if (!scene.furniture.empty())
     legend.add(std::string(words.static_obstacle), [half](Canvas& canvas, Vector2 centre) {
       canvas.rectangle(centre - half, 2 * half, Colour::hex(0xffffff));
       canvas.rectangle(centre - half, 2 * half, kFurnitureEdge);
     });
+  if (!scene.unknown.empty())
+    legend.add(std::string(words.unknown_ground),
+               [half](Canvas& canvas, Vector2 centre) { canvas.rectangle(centre - half, 2 * half, kMoverFill); });
   if (scene.movers.empty()) return;
   legend.add(std::string(words.dynamic_obstacle), [half](Canvas& canvas, Vector2 centre) {
     canvas.rectangle(centre - half, 2 * half, kMoverFill);
@@ -84,6 +95,11 @@ void draw_scale_bar(Canvas& canvas, Vector2 corner, double pixels_per_m, double 
   canvas.line(corner, end, pen);
   for (const Vector2 tip : {corner, end}) canvas.line(tip - Vector2{0, 4}, tip + Vector2{0, 4}, pen);
   canvas.text({corner.x, corner.y + 18}, fmt::format("{} m", tick_label(length_m)));
+}
+
+double widest(Canvas& canvas, WordOf word, const TextStyle& style) {
+  return std::max(canvas.text_width(words(Language::English).*word, style),
+                  canvas.text_width(words(Language::Spanish).*word, style));
 }
 
 }  // namespace ganglion::plot

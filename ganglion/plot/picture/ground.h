@@ -16,4 +16,7 @@ void add_ground_to_legend(Legend& legend, const Scene& scene, const Words& words
 /// A bar of round length beside its length in metres, `corner` at its left end.
 void draw_scale_bar(Canvas& canvas, Vector2 corner, double pixels_per_m, double room_px);
 
+/// Width of the longer of a word's two languages: a layout by it is the same in both.
+double widest(Canvas& canvas, WordOf word, const TextStyle& style = {});
+
 }  // namespace ganglion::plot

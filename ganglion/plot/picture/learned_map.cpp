@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "ganglion/plot/picture/ground.h"
 #include "ganglion/plot/picture/pictures.h"
@@ -15,6 +16,7 @@ constexpr int kMaxCellsDrawn = 400;  // each way; beyond, cells are drawn in blo
 const Pen kCellEdge{Colour::hex(0xffffff).faded(0.35), 0.6, {}};
 const Pen kHatch{Colour::hex(0xffffff), 1.1, {}};
 const Pen kHatchShade{Colour::hex(0x101418), 2.4, {}};
+const Pen kWallHalo{Colour::hex(0xffffff).faded(0.7), 2.6, {}};
 const Pen kWallLine{Colour::hex(0x22272e), 1.4, {4, 2, 4, 2}};
 using Rectangle = std::array<Vector2, 2>;
 
@@ -48,7 +50,7 @@ class Cells {
     return static_cast<std::size_t>(row) * frame_.columns + column;
   }
   static std::uint8_t get(const std::vector<std::uint8_t>& layer, std::size_t i) noexcept {
-    return layer.empty() ? 0 : layer[i];
+    return i < layer.size() ? layer[i] : 0;
   }
   bool known(std::size_t i) const noexcept {
     return get(frame_.label, i) != 0 || get(frame_.risk, i) != 0 || get(frame_.inhibited, i) != 0;
@@ -78,16 +80,26 @@ class Cells {
 
 Colour readable_on(Colour ground) noexcept { return Colour::hex(ground.brightness() > 0.5 ? 0x101418 : 0xffffff); }
 
+void draw_grid(Canvas& canvas, const Axes& axes, const Cells& cells) {
+  const double step_m = cells.block_m();
+  for (double x = cells.lower().x; x <= cells.upper().x + step_m / 2; x += step_m)
+    canvas.line(axes.at({x, cells.lower().y}), axes.at({x, cells.upper().y}), kCellEdge);
+  for (double y = cells.lower().y; y <= cells.upper().y + step_m / 2; y += step_m)
+    canvas.line(axes.at({cells.lower().x, y}), axes.at({cells.upper().x, y}), kCellEdge);
+}
+
 void draw_cells(Canvas& canvas, const Axes& axes, const Cells& cells) {
   const double side_px = cells.block_m() * axes.scale();
   const auto corner_of = [&](Vector2 lower) { return axes.at(lower + Vector2{0, cells.block_m()}); };
   std::vector<Rectangle> occupied;
+  std::map<double, std::vector<Rectangle>> by_risk;
   cells.for_each([&](Vector2 lower, double risk, CellLabel label, int, int) {
     const Rectangle cell{corner_of(lower), {side_px, side_px}};
-    canvas.rectangle(cell[0], cell[1], viridis(risk));
-    if (side_px >= 8) canvas.rectangle(cell[0], cell[1], kCellEdge);
+    by_risk[risk].push_back(cell);
     if (label == CellLabel::Occupied) occupied.push_back(cell);
   });
+  for (const auto& [risk, same] : by_risk) canvas.rectangles(same, viridis(risk));
+  if (side_px >= 8) draw_grid(canvas, axes, cells);
   const double gap_px = std::clamp(side_px / 3, 4.0, 9.0);
   canvas.hatch(occupied, gap_px, kHatchShade);
   canvas.hatch(occupied, gap_px, kHatch);
@@ -142,7 +154,7 @@ Legend make_legend(const Words& words, bool walls) {
   legend.add(std::string(words.unexplored), [=](Canvas& canvas, Vector2 centre) {
     canvas.rectangle(centre - half, 2 * half, Pen{Colour::hex(0x5b6470), 1, {}});
   });
-  if (walls) legend.add_line(std::string(words.wall), kWallLine);
+  if (walls) legend.add_line(std::string(words.true_outline), kWallLine);
   return legend;
 }
 
@@ -152,6 +164,7 @@ void draw_true_walls(Canvas& canvas, const Axes& axes, const Scene& scene) {
       std::vector<Vector2> points;
       for (const Vector2 p : outline.points) points.push_back(axes.at(p));
       if (outline.closed && !points.empty()) points.push_back(points.front());
+      canvas.line(points, kWallHalo);
       canvas.line(points, kWallLine);
     }
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ganglion/plot/canvas/axes.h"
+#include "ganglion/plot/picture/ground.h"
 #include "ganglion/plot/picture/pictures.h"
 
 namespace ganglion::plot {
@@ -54,20 +54,7 @@ class Panel {
   Panel(Canvas& canvas, const Axes& axes, const SignalTable& table, std::size_t column, bool steps)
       : canvas_(canvas), axes_(axes), table_(table), column_(column), steps_(steps) {}
 
-  void draw() {
-    draw_gaps();
-    std::size_t row = 0;
-    while (row < table_.rows()) {
-      const double pixel = std::floor(axes_.x_at(table_.times_s[row]));
-      std::size_t next = row;
-      while (next < table_.rows() && std::floor(axes_.x_at(table_.times_s[next])) == pixel) ++next;
-      draw_pixel(row, next);
-      row = next;
-    }
-    finish();
-  }
-
- private:
+  /// Shades the times without a reading.
   void draw_gaps() {
     for (std::size_t row = 0; row < table_.rows();) {
       std::size_t next = row + 1;
@@ -80,6 +67,19 @@ class Panel {
       row = next;
     }
   }
+  void draw() {
+    std::size_t row = 0;
+    while (row < table_.rows()) {
+      const double pixel = std::floor(axes_.x_at(table_.times_s[row]));
+      std::size_t next = row;
+      while (next < table_.rows() && std::floor(axes_.x_at(table_.times_s[next])) == pixel) ++next;
+      draw_pixel(row, next);
+      row = next;
+    }
+    finish();
+  }
+
+ private:
   void draw_pixel(std::size_t from, std::size_t to) {
     std::size_t least = to, greatest = to;
     bool beyond = false, below = false;
@@ -126,7 +126,7 @@ class Panel {
 };
 
 void draw_value_ticks(Canvas& canvas, const Axes& axes) {
-  for (const double value : round_ticks(axes.lower.y, axes.upper.y, 3)) {
+  for (const double value : round_ticks(axes.lower.y, axes.upper.y, 4)) {
     const double y = axes.y_at(value);
     canvas.line({axes.corner_px.x, y}, {axes.right(), y}, {Colour::hex(0xdfe3e8), 0.7, {}});
     canvas.text({axes.corner_px.x - 5, y + 4}, tick_label(value), Anchor::End, {.size_px = 10});
@@ -143,10 +143,11 @@ void draw_signal(Canvas& canvas, Vector2 corner, double width_px, const SignalTa
               Anchor::Start, {.size_px = 11.5, .bold = true});
   Panel panel(canvas, axes, table, column, range.whole);
   const bool finite = range.lower <= range.upper;
+  panel.draw_gaps();
+  if (finite) draw_value_ticks(canvas, axes);
   canvas.clip(axes.corner_px, axes.size_px);
   panel.draw();
   canvas.unclip();
-  if (finite) draw_value_ticks(canvas, axes);
   canvas.rectangle(axes.corner_px, axes.size_px, kFrame);
   if (finite) return;
   const bool rows = table.rows() > 0;
@@ -155,16 +156,17 @@ void draw_signal(Canvas& canvas, Vector2 corner, double width_px, const SignalTa
 }
 
 void draw_legend(Canvas& canvas, Vector2 at, const Words& said) {
-  const auto word = [&](std::string_view text, double sample_px) {
-    canvas.text(at + Vector2{sample_px, 0}, text, Anchor::Start, {.size_px = 11});
-    at.x += sample_px + canvas.text_width(text, {.size_px = 11}) + 24;
+  const TextStyle small{.size_px = 11};
+  const auto write = [&](WordOf word, double sample_px) {
+    canvas.text(at + Vector2{sample_px, 0}, said.*word, Anchor::Start, small);
+    at.x += sample_px + widest(canvas, word, small) + 24;
   };
   canvas.rectangle(at - Vector2{0, 10}, {22, 13}, kGap);
-  word(said.no_reading, 28);
+  write(&Words::no_reading, 28);
   canvas.polygon(std::array{at + Vector2{5, -9}, at + Vector2{1, -1}, at + Vector2{9, -1}}, kMark);
-  word(said.nothing_in_range, 14);
+  write(&Words::nothing_in_range, 14);
   canvas.polygon(std::array{at + Vector2{5, -1}, at + Vector2{1, -9}, at + Vector2{9, -9}}, kMark);
-  word(said.too_close, 14);
+  write(&Words::too_close, 14);
 }
 
 Picture page(const RobotView& robot, double duration_s, std::size_t first, std::size_t last, Language language) {

@@ -119,8 +119,8 @@ std::vector<Vector2> contacts(const RobotView& robot) {
 void draw_contact(Canvas& canvas, Vector2 at) { canvas.marker(4, at, 9, kContact); }
 void draw_start(Canvas& canvas, Vector2 at) { canvas.disc(at, 6.5, kStart, {kDark, 1, {}}); }
 void draw_end(Canvas& canvas, Vector2 at) {
-  canvas.rectangle(at - Vector2{5, 5}, {10, 10}, Colour::hex(0xffffff));
-  canvas.rectangle(at - Vector2{5, 5}, {10, 10}, Pen{kDark, 2, {}});
+  canvas.rectangle(at - Vector2{8, 8}, {16, 16}, Pen{Colour::hex(0xffffff), 4.5, {}});
+  canvas.rectangle(at - Vector2{8, 8}, {16, 16}, Pen{kDark, 2, {}});
 }
 
 void draw_goal(Canvas& canvas, Vector2 at, const GoalView& goal, const std::string& number) {

@@ -109,7 +109,9 @@ MapFrame map_at(double time_s, double share) {
 
 RunView sample_behaviour_run(int robots, double duration_s) {
   RunView run{.name = "nimrod: round the room", .seed = 7, .duration_s = duration_s, .scene = sample_scene()};
-  run.outcome = RunOutcome{true, "the course was held for the whole run", "min_range_m > 0.02 and contacts <= 20",
+  run.outcome = RunOutcome{true,
+                           {"the course was held for the whole run", "mantuvo el rumbo durante toda la ejecución"},
+                           {"min_range_m > 0.02 and contacts <= 20", "min_range_m > 0.02 y contacts <= 20"},
                            "9f3a5c0d11e2b477"};
   run.measures = {{"path_m", 24.318}, {"contacts", 6}, {"area_explored_m2", 11.25}, {"mean_speed_mps", 0.2027}};
   for (int i = 0; i < robots; ++i) run.robots.push_back(behaviour_robot(i, duration_s));

@@ -1,0 +1,56 @@
+// Puts the player together from what the page carries.
+
+function makePlayer(run) {
+  const layers = {};
+  for (const box of document.querySelectorAll('[data-layer]')) {
+    layers[box.dataset.layer] = box.type === 'checkbox' ? box.checked : box.value;
+  }
+  return {
+    run,
+    view: new View($('stage'), run.bounds),
+    bands: $('bands'),
+    duration: Math.max(run.duration, 1e-3),
+    colours: readColours(),
+    layers,
+    robot: 0,
+    t: 0,
+    speed: 1,
+    playing: false,
+    stale: true,
+    calm: false,
+    smooth: true,
+  };
+}
+
+/** Follows what the reader's system asks for: light or dark, motion or none. */
+function followSystem(player) {
+  const dark = window.matchMedia('(prefers-color-scheme: dark)');
+  dark.addEventListener('change', () => {
+    player.colours = readColours();
+    redraw(player);
+  });
+  const calm = window.matchMedia('(prefers-reduced-motion: reduce)');
+  const follow = () => {
+    player.calm = calm.matches;
+    player.smooth = !calm.matches;
+  };
+  calm.addEventListener('change', follow);
+  follow();
+  new ResizeObserver(() => redraw(player)).observe($('stage'));
+}
+
+function start() {
+  const json = JSON.parse($('run').textContent);
+  dictionary = json.words;
+  const player = makePlayer(decodeRun(json));
+  $('slider').max = String(player.duration);
+  connectButtons(player);
+  connectPointer(player);
+  connectKeys(player);
+  followSystem(player);
+  speak(document.documentElement.lang);
+  document.body.classList.add('ready');
+  refresh(player);
+}
+
+start();
