@@ -102,7 +102,7 @@ Result<std::string> render_for_page(const Picture& english, const Picture& spani
   const auto es = render_parts(spanish, PictureFormat::Svg);
   if (!es) return tl::unexpected(es.error());
   const SaidTexts said[] = {{"en", en->texts}, {"es", es->texts}};
-  if (en->bytes == es->bytes) return inline_svg(en->bytes, said, id_prefix);
+  if (same_shapes(en->bytes, es->bytes)) return inline_svg(en->bytes, said, id_prefix);
   return fmt::format("<div class=\"said-en\">{}</div><div class=\"said-es\">{}</div>",
                      inline_svg(en->bytes, std::span(said, 1), fmt::format("{}en-", id_prefix)),
                      inline_svg(es->bytes, std::span(said + 1, 1), fmt::format("{}es-", id_prefix)));

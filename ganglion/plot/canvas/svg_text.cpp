@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
+
 #include "ganglion/base/text.h"
 #include "ganglion/plot/canvas/picture.h"
 
@@ -24,26 +27,47 @@ std::string rounded(std::string_view number) {
   return text;
 }
 
-/// Copies Cairo's markup, rounding what looks like a decimal number and prefixing ids where they are made and used.
+/// Cairo counts its ids through the whole process; here they are i1, i2... in the order they come, so that equal
+/// pictures have equal files.
+class Ids {
+ public:
+  explicit Ids(std::string_view prefix) : prefix_(prefix) {}
+  std::string renamed(std::string_view id) {
+    const auto known = numbers_.emplace(id, numbers_.size() + 1).first;
+    return fmt::format("{}i{}", prefix_, known->second);
+  }
+
+ private:
+  std::string_view prefix_;
+  std::map<std::string, std::size_t, std::less<>> numbers_;
+};
+
+/// Whether a number of the markup may begin after this letter.
+bool before_number(char c) noexcept { return std::string_view(" -\"(,").find(c) != std::string_view::npos; }
+
+/// Copies Cairo's markup, rounding what looks like a decimal number and renaming ids where they are made and used.
 std::string copy_markup(std::string_view svg, std::string_view id_prefix) {
   static constexpr std::string_view kIdMarks[] = {"id=\"", "href=\"#", "url(#"};
+  Ids ids(id_prefix);
   std::string result;
   result.reserve(svg.size());
   for (std::size_t i = 0; i < svg.size();) {
-    if (is_digit(svg[i]) && (i == 0 || svg[i - 1] == ' ' || svg[i - 1] == '-' || svg[i - 1] == '"' ||
-                             svg[i - 1] == '(' || svg[i - 1] == ',')) {
-      std::size_t end = i;
+    std::size_t end = i + 1;
+    if (is_digit(svg[i]) && i > 0 && before_number(svg[i - 1])) {
       while (end < svg.size() && (is_digit(svg[end]) || svg[end] == '.')) ++end;
       result += rounded(svg.substr(i, end - i));
       i = end;
       continue;
     }
-    std::size_t step = 1;
     for (const std::string_view mark : kIdMarks)
-      if (svg.substr(i, mark.size()) == mark) step = mark.size();
-    result += svg.substr(i, step);
-    if (step > 1) result += id_prefix;
-    i += step;
+      if (svg.substr(i, mark.size()) == mark) end = i + mark.size();
+    result += svg.substr(i, end - i);
+    if (end > i + 1) {
+      const std::size_t stop = std::min(svg.find_first_of("\")", end), svg.size());
+      result += ids.renamed(svg.substr(end, stop - end));
+      end = stop;
+    }
+    i = end;
   }
   return result;
 }
@@ -96,6 +120,10 @@ std::string finish_svg(std::string_view cairo_svg, std::span<const PlacedText> t
       "<desc id=\"desc\">{}</desc>{}{}</svg>\n",
       parts.header, parts.attributes, escape_markup(clean_text(title)), escape_markup(clean_text(description)),
       copy_markup(parts.body, ""), text_group(texts, ""));
+}
+
+bool same_shapes(std::string_view cairo_svg, std::string_view other) {
+  return copy_markup(cairo_svg, "") == copy_markup(other, "");
 }
 
 std::string inline_svg(std::string_view cairo_svg, std::span<const SaidTexts> said, std::string_view id_prefix) {

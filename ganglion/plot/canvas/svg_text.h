@@ -13,6 +13,9 @@ namespace ganglion::plot {
 std::string finish_svg(std::string_view cairo_svg, std::span<const PlacedText> texts, std::string_view title,
                        std::string_view description);
 
+/// Whether two of Cairo's files draw the same, whatever their ids.
+bool same_shapes(std::string_view cairo_svg, std::string_view other);
+
 /// The words of a picture in one language, for an element of class "said-<tag>".
 struct SaidTexts {
   std::string_view tag;

@@ -26,6 +26,13 @@ function drawGround(view, scene, colours) {
   for (const piece of scene.furniture) {
     view.trace(piece.points, piece.closed);
     if (piece.closed) view.fill(colours.free);
+  }
+}
+
+/** Over the learned map, so that the true walls can be compared with it. */
+function drawEdges(view, scene, colours) {
+  for (const piece of scene.furniture) {
+    view.trace(piece.points, piece.closed);
     view.stroke(colours.line, 1.2);
   }
   for (const wall of scene.walls) {

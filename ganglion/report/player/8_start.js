@@ -39,6 +39,22 @@ function followSystem(player) {
   new ResizeObserver(() => redraw(player)).observe($('stage'));
 }
 
+/** A link to a moment: "#t=12.5&lang=es&robot=1", each part optional. */
+function followLink(player) {
+  const asked = new URLSearchParams(window.location.hash.slice(1));
+  const robot = Number(asked.get('robot'));
+  if (player.run.robots[robot]) {
+    player.robot = robot;
+    $('robot').value = String(robot);
+  }
+  const t = Number.parseFloat(asked.get('t'));
+  if (Number.isFinite(t)) {
+    seek(player, t);
+    document.body.classList.add('begun');
+  }
+  speak(asked.get('lang') ?? document.documentElement.lang);
+}
+
 function start() {
   const json = JSON.parse($('run').textContent);
   dictionary = json.words;
@@ -48,7 +64,11 @@ function start() {
   connectPointer(player);
   connectKeys(player);
   followSystem(player);
-  speak(document.documentElement.lang);
+  followLink(player);
+  window.addEventListener('hashchange', () => {
+    followLink(player);
+    redraw(player);
+  });
   document.body.classList.add('ready');
   refresh(player);
 }
