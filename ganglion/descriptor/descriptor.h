@@ -85,7 +85,8 @@ struct Descriptor {
   const ParameterDescriptor* parameter(std::string_view parameter_name) const noexcept;
 };
 
-/// Outputs that every component of a class has besides its own: of acting modules `active` and `status`.
+/// Outputs that every component of a class has besides its own: of acting modules `active`, `status`
+/// and `reason`.
 std::span<const PortDescriptor> common_outputs(ComponentClass) noexcept;
 
 }  // namespace ganglion

@@ -9,7 +9,7 @@ void ActingModule::settle(const Tick&, std::optional<double> frame_cost) noexcep
   last_cost_ = std::nullopt;
   if (joints_.below == nullptr) {
     if (granted_) last_cost_ = frame_cost;
-  } else if (!waits()) {
+  } else if (!interrupted()) {
     last_cost_ = joints_.below->total_cost();
   }
   RequestSlot* request = joints_.request;
@@ -50,7 +50,13 @@ Request ActingModule::get_request() noexcept {
   return {slot->span(), fresh};
 }
 
-Feedback ActingModule::get_feedback(const Tick& tick) const noexcept { return {tick, links().inputs, granted_}; }
+Feedback ActingModule::get_feedback(const Tick& tick) const noexcept {
+  return {tick, links().inputs, granted_ && !interrupted()};
+}
+
+bool ActingModule::interrupted() const noexcept {
+  return joints_.below != nullptr && joints_.below->status == RequestStatus::Pending;
+}
 
 std::optional<Cost> ActingModule::get_cost() const noexcept {
   return last_cost_ ? std::optional<Cost>(Cost{*last_cost_}) : std::nullopt;

@@ -26,6 +26,8 @@ struct ActingLinks {
 class ActingModule : public Component {
  public:
   void join(const ActingLinks& links) noexcept { joints_ = links; }
+  /// Its commands become requests of a module below.
+  void set_below(RequestSlot* below) noexcept { joints_.below = below; }
 
   /// Upward sweep: adds up what the last command cost and finds the request satisfied or not.
   /// `frame_cost` is the application's; a module above others sees the sum of theirs instead.
@@ -51,6 +53,8 @@ class ActingModule : public Component {
   virtual void expected_feedback(std::span<double> appraisal) const noexcept;
 
  private:
+  /// The last command is still under way below: in a cycle this means that a new request broke it off.
+  bool interrupted() const noexcept;
   Request get_request() noexcept;
   Feedback get_feedback(const Tick& tick) const noexcept;
   std::optional<Cost> get_cost() const noexcept;

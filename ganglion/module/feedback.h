@@ -18,7 +18,8 @@ struct PortView {
 struct Feedback {
   Tick tick{};
   std::span<const PortView> ports{};
-  bool granted = true;  ///< Whether the last command was carried out, not overruled by another module.
+  /// Whether the last command was carried out: neither overruled by another module nor broken off by a new request.
+  bool granted = true;
 
   const PortView& operator[](std::size_t port) const noexcept { return ports[port]; }
   /// First value of a port; NaN where nothing is wired, so that an optional port reads as a dead sensor.
