@@ -23,6 +23,7 @@ void RequestSlot::ask(std::span<const double> wanted) noexcept {
 void RequestSlot::clear() noexcept {
   status = RequestStatus::None;
   size = 0;
+  has_cost = false;  // or else whoever asked would be charged again in every later tick
 }
 
 void RequestSlot::withdraw(const Reason& why) noexcept {

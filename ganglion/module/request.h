@@ -34,7 +34,7 @@ struct RequestSlot {
   void ask(std::span<const double> wanted) noexcept;
   /// Nothing is asked any more.
   void clear() noexcept;
-  /// The module gives up.
+  /// The module gives up, or the one above that asked does.
   void withdraw(const Reason& why) noexcept;
   std::span<const double> span() const noexcept { return {values.data(), static_cast<std::size_t>(size)}; }
   std::optional<double> total_cost() const noexcept { return has_cost ? std::optional<double>(cost) : std::nullopt; }
