@@ -7,17 +7,28 @@ namespace ganglion {
 
 std::string_view name_of(ErrorCode code) noexcept {
   switch (code) {
-    case ErrorCode::Syntax: return "Syntax";
-    case ErrorCode::UnknownKey: return "UnknownKey";
-    case ErrorCode::MissingKey: return "MissingKey";
-    case ErrorCode::BadType: return "BadType";
-    case ErrorCode::BadParameter: return "BadParameter";
-    case ErrorCode::BadWire: return "BadWire";
-    case ErrorCode::TooLarge: return "TooLarge";
-    case ErrorCode::NotFound: return "NotFound";
-    case ErrorCode::Unreadable: return "Unreadable";
-    case ErrorCode::Corrupt: return "Corrupt";
-    case ErrorCode::Unsupported: return "Unsupported";
+    case ErrorCode::Syntax:
+      return "Syntax";
+    case ErrorCode::UnknownKey:
+      return "UnknownKey";
+    case ErrorCode::MissingKey:
+      return "MissingKey";
+    case ErrorCode::BadType:
+      return "BadType";
+    case ErrorCode::BadParameter:
+      return "BadParameter";
+    case ErrorCode::BadWire:
+      return "BadWire";
+    case ErrorCode::TooLarge:
+      return "TooLarge";
+    case ErrorCode::NotFound:
+      return "NotFound";
+    case ErrorCode::Unreadable:
+      return "Unreadable";
+    case ErrorCode::Corrupt:
+      return "Corrupt";
+    case ErrorCode::Unsupported:
+      return "Unsupported";
   }
   return "?";
 }
@@ -34,9 +45,9 @@ std::vector<Error> Problems::sorted() const {
   };
   std::vector<Error> result = errors_;
   std::stable_sort(result.begin(), result.end(), [&](const Error& a, const Error& b) { return key(a) < key(b); });
-  result.erase(std::unique(result.begin(), result.end(),
-                           [&](const Error& a, const Error& b) { return key(a) == key(b); }),
-               result.end());
+  result.erase(
+      std::unique(result.begin(), result.end(), [&](const Error& a, const Error& b) { return key(a) == key(b); }),
+      result.end());
   return result;
 }
 

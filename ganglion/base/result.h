@@ -20,17 +20,17 @@ struct Place {
 
 /// What went wrong, as a word that a program can rely on; the sentence for people is in Error::message.
 enum class ErrorCode {
-  Syntax,          ///< The file is not of its format.
-  UnknownKey,      ///< A key, kind, port or name that nothing answers to.
-  MissingKey,      ///< Something required is absent.
-  BadType,         ///< A value of another type than asked for.
-  BadParameter,    ///< A value outside its range, or values that contradict each other.
-  BadWire,         ///< A wire that cannot be: dangling, of another shape or unit, part of a cycle, a second writer.
-  TooLarge,        ///< Over a stated limit.
-  NotFound,        ///< A file or folder that is not there.
-  Unreadable,      ///< Input or output failed.
-  Corrupt,         ///< A file that was damaged or cut.
-  Unsupported,     ///< Well-formed, but of a version or feature we do not handle.
+  Syntax,        ///< The file is not of its format.
+  UnknownKey,    ///< A key, kind, port or name that nothing answers to.
+  MissingKey,    ///< Something required is absent.
+  BadType,       ///< A value of another type than asked for.
+  BadParameter,  ///< A value outside its range, or values that contradict each other.
+  BadWire,       ///< A wire that cannot be: dangling, of another shape or unit, part of a cycle, a second writer.
+  TooLarge,      ///< Over a stated limit.
+  NotFound,      ///< A file or folder that is not there.
+  Unreadable,    ///< Input or output failed.
+  Corrupt,       ///< A file that was damaged or cut.
+  Unsupported,   ///< Well-formed, but of a version or feature we do not handle.
 };
 
 /// The code's name, as written in JSON output: "BadWire".

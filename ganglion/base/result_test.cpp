@@ -40,7 +40,8 @@ TEST(Hash, OfNamesIsFnv1a) {
 
 TEST(CanonicalBits, FoldsZerosAndNans) {
   EXPECT_EQ(canonical_bits(-0.0), canonical_bits(0.0));
-  EXPECT_EQ(canonical_bits(-std::numeric_limits<double>::quiet_NaN()), canonical_bits(std::numeric_limits<double>::quiet_NaN()));
+  EXPECT_EQ(canonical_bits(-std::numeric_limits<double>::quiet_NaN()),
+            canonical_bits(std::numeric_limits<double>::quiet_NaN()));
 }
 
 }  // namespace

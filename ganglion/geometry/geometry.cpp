@@ -32,8 +32,6 @@ Vector2 Pose2::to_local(Vector2 outer) const noexcept {
   return rotated(outer - position, {-turn.sin, turn.cos});
 }
 
-Pose2 Pose2::then(const Pose2& local) const noexcept {
-  return {to_outer(local.position), (yaw + local.yaw).wrapped()};
-}
+Pose2 Pose2::then(const Pose2& local) const noexcept { return {to_outer(local.position), (yaw + local.yaw).wrapped()}; }
 
 }  // namespace ganglion

@@ -36,7 +36,7 @@ TEST(Draws, HaveTheStatedMomentsOverManyTicks) {
     uniform_sum += draws.uniform();
     ++faces[draws.below(5)];
   }
-  EXPECT_NEAR(sum / kCount, 0, 5 / std::sqrt(kCount));                        // five standard errors
+  EXPECT_NEAR(sum / kCount, 0, 5 / std::sqrt(kCount));  // five standard errors
   EXPECT_NEAR(squares / kCount, 1, 5 * std::sqrt(2.0 / kCount));
   EXPECT_NEAR(uniform_sum / kCount, 0.5, 5 * std::sqrt(1.0 / 12 / kCount));
   for (const int face : faces) EXPECT_NEAR(face, kCount / 5, 5 * std::sqrt(kCount * 0.16));

@@ -31,7 +31,8 @@ class Angle {
 /// The same direction in (-pi, pi], for angles that come as plain numbers on ports.
 double wrap_rad(double rad) noexcept;
 
-/// A compass bearing in degrees, clockwise from north in [0, 360), of a yaw counter-clockwise from east: (90 - yaw) mod 360.
+/// A compass bearing in degrees, clockwise from north in [0, 360), of a yaw counter-clockwise from east: (90 - yaw) mod
+/// 360.
 double compass_deg_from_yaw(Angle yaw) noexcept;
 /// The yaw in (-pi, pi] of a compass bearing in degrees.
 Angle yaw_from_compass_deg(double bearing_deg) noexcept;

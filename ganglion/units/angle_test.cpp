@@ -16,10 +16,10 @@ TEST(Angle, WrapsIntoTheHalfOpenTurn) {
 }
 
 TEST(Compass, RunsClockwiseFromNorth) {
-  EXPECT_EQ(compass_deg_from_yaw(Angle::from_deg(90)), 0);    // facing y is north
-  EXPECT_EQ(compass_deg_from_yaw(Angle::from_deg(0)), 90);    // facing x is east
+  EXPECT_EQ(compass_deg_from_yaw(Angle::from_deg(90)), 0);  // facing y is north
+  EXPECT_EQ(compass_deg_from_yaw(Angle::from_deg(0)), 90);  // facing x is east
   EXPECT_EQ(compass_deg_from_yaw(Angle::from_deg(180)), 270);
-  EXPECT_NEAR(yaw_from_compass_deg(300).deg(), 150, 1e-12);   // the paper's run at 300 deg
+  EXPECT_NEAR(yaw_from_compass_deg(300).deg(), 150, 1e-12);  // the paper's run at 300 deg
 }
 
 }  // namespace

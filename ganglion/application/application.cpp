@@ -1,0 +1,27 @@
+#include "ganglion/application/application.h"
+
+#include <limits>
+
+namespace ganglion {
+
+SenseFrame make_sense_frame(const RobotDescription& description) {
+  SenseFrame frame;
+  frame.values.assign(static_cast<std::size_t>(description.sensation_values()),
+                      std::numeric_limits<double>::quiet_NaN());
+  frame.ages_s.assign(description.sensations.size(), std::numeric_limits<double>::infinity());
+  return frame;
+}
+
+ActFrame make_act_frame(const RobotDescription& description) {
+  ActFrame frame;
+  for (const CommandChannel& channel : description.commands) {
+    for (const CommandElement& element : channel.elements) frame.values.push_back(element.safe);
+  }
+  const std::size_t channels = description.commands.size();
+  frame.origins.assign(channels, CommandOrigin::Safe);
+  frame.ttl_s.assign(channels, 0.3);
+  frame.reasons.assign(channels, 0);
+  return frame;
+}
+
+}  // namespace ganglion

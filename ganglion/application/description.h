@@ -1,0 +1,57 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ganglion/descriptor/descriptor.h"
+#include "ganglion/geometry/pose2.h"
+
+namespace ganglion {
+
+/// One sensation an application offers, e.g. "sonar_left.range": values that arrive with every frame.
+struct SensationChannel {
+  std::string name;  ///< "device.quantity"
+  std::string unit;  ///< SI; "" = dimensionless
+  ValueType type = ValueType::Real;
+  std::vector<std::string> elements;  ///< Names of its values where there are several; empty = one value.
+  double min = 0;                     ///< Finite readings lie within [min, max].
+  double max = 0;
+  double period_s = 0;  ///< Time between fresh readings; 0 = fresh in every frame.
+  Pose2 mount{};        ///< On the body.
+  int size() const noexcept { return elements.empty() ? 1 : static_cast<int>(elements.size()); }
+};
+
+/// One value of a command, e.g. the left track of "drive".
+struct CommandElement {
+  std::string name;
+  std::string unit;
+  double min = -1;
+  double max = 1;
+  double safe = 0;  ///< Taken when nothing valid was commanded in time.
+};
+
+struct CommandChannel {
+  std::string name;  ///< "drive"
+  std::vector<CommandElement> elements;
+};
+
+/// What an application says of itself. Values of all sensations lie one after the other in frames, in this order; so do
+/// the values of all commands.
+struct RobotDescription {
+  std::string name;
+  double length_m = 0;  ///< Outer size of the body, along x and y.
+  double width_m = 0;
+  double tick_s = 0.1;  ///< Time between frames the application prefers.
+  std::vector<SensationChannel> sensations;
+  std::vector<CommandChannel> commands;
+
+  int sensation_values() const noexcept;
+  int command_values() const noexcept;
+  /// Index of the first value of a channel in a frame.
+  int sensation_offset(std::size_t channel) const noexcept;
+  int command_offset(std::size_t channel) const noexcept;
+  const SensationChannel* sensation(const std::string& channel_name) const noexcept;
+  const CommandChannel* command(const std::string& channel_name) const noexcept;
+};
+
+}  // namespace ganglion

@@ -1,0 +1,228 @@
+#include "ganglion/config/table.h"
+
+#include <cmath>
+
+#include "ganglion/base/text.h"
+
+namespace ganglion::config {
+namespace {
+
+const Value& empty_table() {
+  static const Value kEmpty(Members{}, Place{});
+  return kEmpty;
+}
+
+std::optional<double> as_number(const Value& value) noexcept {
+  if (const auto* real = value.real()) return *real;
+  if (const auto* integer = value.integer()) return static_cast<double>(*integer);
+  return std::nullopt;
+}
+
+bool holds(const Range& range, double number) noexcept {
+  return std::isfinite(number) && number <= range.max && (range.above_min ? number > range.min : number >= range.min);
+}
+
+}  // namespace
+
+std::string text_of(const Range& range) {
+  const bool low = std::isfinite(range.min), high = std::isfinite(range.max);
+  if (low && high)
+    return fmt::format("in {}{}, {}]", range.above_min ? "(" : "[", shortest(range.min), shortest(range.max));
+  if (low) return fmt::format("{} {}", range.above_min ? ">" : ">=", shortest(range.min));
+  if (high) return fmt::format("<= {}", shortest(range.max));
+  return "a finite number";
+}
+
+Table::Table(const Value& value, std::string context, Problems& problems)
+    : value_(&value), context_(std::move(context)), problems_(&problems) {
+  if (value_->type() == Value::Type::Table) return;
+  report(value.place(), ErrorCode::BadType, fmt::format("is {}, must be a table", value.type_name()));
+  value_ = &empty_table();
+}
+
+Table::Table(Table&& other) noexcept
+    : value_(other.value_),
+      context_(std::move(other.context_)),
+      problems_(other.problems_),
+      known_(std::move(other.known_)),
+      finished_(other.finished_) {
+  other.finished_ = true;
+}
+
+Place Table::place(std::string_view key) const {
+  const Value* found = value_->find(key);
+  return found != nullptr ? found->place() : value_->place();
+}
+
+const Value* Table::value(std::string_view key) {
+  known(key);
+  return value_->find(key);
+}
+
+void Table::report(const Place& where, ErrorCode code, const std::string& message) const {
+  problems_->add(Error{code, context_.empty() ? message : context_ + ": " + message, where});
+}
+
+void Table::missing(std::string_view key) const {
+  report(value_->place(), ErrorCode::MissingKey, fmt::format("{} is missing", key));
+}
+
+void Table::wrong_type(std::string_view key, const Value& found, std::string_view wanted) const {
+  report(found.place(), ErrorCode::BadType, fmt::format("{} is {}, must be {}", key, found.type_name(), wanted));
+}
+
+double Table::checked(std::string_view key, const Value& found, double preset, const Range& range) const {
+  const auto number = as_number(found);
+  if (!number) {
+    wrong_type(key, found, "a number");
+    return preset;
+  }
+  if (holds(range, *number)) return *number;
+  report(found.place(), ErrorCode::BadParameter,
+         fmt::format("{} is {}, must be {}", key, shortest(*number), text_of(range)));
+  return preset;
+}
+
+double Table::number(std::string_view key, double preset, const Range& range) {
+  const Value* found = value(key);
+  return found != nullptr ? checked(key, *found, preset, range) : preset;
+}
+
+double Table::number(std::string_view key, const Range& range) {
+  if (value(key) == nullptr) missing(key);
+  return number(key, std::isfinite(range.min) ? range.min + (range.above_min ? 1 : 0) : 0, range);
+}
+
+int Table::integer(std::string_view key, int preset, const Range& range) {
+  const Value* found = value(key);
+  if (found == nullptr) return preset;
+  if (found->integer() == nullptr) {
+    wrong_type(key, *found, "a whole number");
+    return preset;
+  }
+  const Range whole{std::max(range.min, -2147483647.0), std::min(range.max, 2147483647.0), range.above_min};
+  return static_cast<int>(checked(key, *found, preset, whole));
+}
+
+bool Table::boolean(std::string_view key, bool preset) {
+  const Value* found = value(key);
+  if (found == nullptr) return preset;
+  if (found->boolean() == nullptr) wrong_type(key, *found, "true or false");
+  return found->boolean() != nullptr ? *found->boolean() : preset;
+}
+
+std::string Table::text(std::string_view key, std::string_view preset) {
+  const Value* found = value(key);
+  if (found == nullptr) return std::string(preset);
+  if (found->string() == nullptr) wrong_type(key, *found, "a text in quotes");
+  return found->string() != nullptr ? *found->string() : std::string(preset);
+}
+
+std::string Table::text(std::string_view key) {
+  if (value(key) == nullptr) missing(key);
+  return text(key, "");
+}
+
+int Table::choice(std::string_view key, std::span<const std::string_view> choices, int preset) {
+  const Value* found = value(key);
+  if (found == nullptr) return preset;
+  const std::vector<std::string> names(choices.begin(), choices.end());
+  if (found->string() == nullptr) {
+    wrong_type(key, *found, "one of " + join(names));
+    return preset;
+  }
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    if (choices[i] == *found->string()) return static_cast<int>(i);
+  }
+  report(found->place(), ErrorCode::BadParameter,
+         fmt::format("{} is \"{}\"{}", key, *found->string(), suggestion(*found->string(), names)));
+  return preset;
+}
+
+std::vector<double> Table::numbers(std::string_view key, std::vector<double> preset, std::size_t count,
+                                   const Range& range) {
+  const Value* found = value(key);
+  if (found == nullptr) return preset;
+  const Array* items = found->array();
+  if (items == nullptr || (count != 0 && items->size() != count)) {
+    wrong_type(key, *found, count != 0 ? fmt::format("a list of {} numbers", count) : "a list of numbers");
+    return preset;
+  }
+  std::vector<double> result;
+  for (const Value& item : *items) result.push_back(checked(key, item, 0, range));
+  return result;
+}
+
+std::vector<std::string> Table::texts(std::string_view key) {
+  const Value* found = value(key);
+  if (found == nullptr) return {};
+  if (const std::string* one = found->string()) return {*one};
+  std::vector<std::string> result;
+  if (found->array() == nullptr) {
+    wrong_type(key, *found, "a text or a list of texts");
+    return result;
+  }
+  for (const Value& item : *found->array()) {
+    if (item.string() != nullptr) {
+      result.push_back(*item.string());
+    } else {
+      wrong_type(key, item, "a list of texts only");
+    }
+  }
+  return result;
+}
+
+std::filesystem::path Table::path(std::string_view key) {
+  const std::filesystem::path written = text(key, "");
+  const Value* found = value_->find(key);
+  if (written.empty() || found == nullptr || written.is_absolute()) return written;
+  if (found->place().file.starts_with("--set ")) return written;
+  return std::filesystem::path(found->place().file).parent_path() / written;
+}
+
+Table Table::table(std::string_view key) {
+  const Value* found = value(key);
+  const std::string inner = context_.empty() ? std::string(key) : fmt::format("{}.{}", context_, key);
+  return Table(found != nullptr ? *found : empty_table(), inner, *problems_);
+}
+
+std::vector<Table> Table::tables(std::string_view key) {
+  const Value* found = value(key);
+  std::vector<Table> result;
+  if (found == nullptr) return result;
+  if (found->array() == nullptr) {
+    wrong_type(key, *found, fmt::format("written as [[{}]]", key));
+    return result;
+  }
+  for (const Value& item : *found->array()) result.emplace_back(item, context_, *problems_);
+  return result;
+}
+
+std::vector<std::string> Table::keys() const {
+  std::vector<std::string> names;
+  for (const auto& [name, member] : *value_->table()) names.push_back(name);
+  return names;
+}
+
+void Table::finish() {
+  if (finished_) return;
+  finished_ = true;
+  const std::vector<std::string> candidates(known_.begin(), known_.end());
+  for (const auto& [name, member] : *value_->table()) {
+    if (known_.contains(name)) continue;
+    report(member.place(), ErrorCode::UnknownKey,
+           fmt::format("\"{}\" is no key here{}", name, suggestion(name, candidates)));
+  }
+}
+
+void check_format(Table& root) {
+  if (!root.has("format")) {
+    root.problem("format", ErrorCode::MissingKey, "the file must start with format = 1");
+    return;
+  }
+  if (root.integer("format", 1) != 1) {
+    root.problem("format", ErrorCode::Unsupported, "this program reads format = 1; the file needs a newer one");
+  }
+}
+
+}  // namespace ganglion::config

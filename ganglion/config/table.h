@@ -1,0 +1,98 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ganglion/config/value.h"
+#include "ganglion/descriptor/parameters.h"
+
+namespace ganglion::config {
+
+/// What a number must satisfy; both ends belong to the range unless `above` excludes the lower one.
+struct Range {
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
+  bool above_min = false;
+};
+/// "> 0", ">= 1", "in [0, 1]".
+std::string text_of(const Range& range);
+inline constexpr Range kPositive{0, std::numeric_limits<double>::infinity(), true};
+inline constexpr Range kNotNegative{0};
+
+/// Reads one table of a file, key by key. Whatever is wrong goes into the Problems with its place, and a default stands
+/// in, so that one pass finds everything. Keys that nobody asked for are reported by finish(), or by the destructor.
+class Table {
+ public:
+  /// `context` opens each message: a component's id, "" for none. The value must outlive the table.
+  Table(const Value& value, std::string context, Problems& problems);
+  Table(Table&&) noexcept;
+  Table(const Table&) = delete;
+  Table& operator=(const Table&) = delete;
+  ~Table() { finish(); }
+
+  bool has(std::string_view key) const noexcept { return value_->find(key) != nullptr; }
+  /// The value as it stands, or null; the key counts as read.
+  const Value* value(std::string_view key);
+  Place place() const { return value_->place(); }
+  Place place(std::string_view key) const;
+  const std::string& context() const noexcept { return context_; }
+  Problems& problems() const noexcept { return *problems_; }
+  void set_context(std::string context) { context_ = std::move(context); }
+
+  /// With a default: absent is fine. Without: absent is a MissingKey problem. Numbers must be finite.
+  double number(std::string_view key, double preset, const Range& range = {});
+  double number(std::string_view key, const Range& range = {});
+  int integer(std::string_view key, int preset, const Range& range = {});
+  bool boolean(std::string_view key, bool preset);
+  std::string text(std::string_view key, std::string_view preset);
+  std::string text(std::string_view key);
+  /// One of `choices`; gives its index.
+  int choice(std::string_view key, std::span<const std::string_view> choices, int preset);
+  /// `count` numbers (0 = any number of them).
+  std::vector<double> numbers(std::string_view key, std::vector<double> preset, std::size_t count = 0,
+                              const Range& range = {});
+  std::vector<std::string> texts(std::string_view key);
+  /// A path, relative to the folder of the file it stands in; behind --set to the working directory. Empty if absent.
+  std::filesystem::path path(std::string_view key);
+  /// A table inside; an empty one if absent.
+  Table table(std::string_view key);
+  /// A list of tables, [[key]]; empty if absent.
+  std::vector<Table> tables(std::string_view key);
+  /// Every parameter of a kind.
+  Parameters parameters(std::span<const ParameterDescriptor> descriptors);
+
+  /// Marks a key as known without reading it.
+  void known(std::string_view key) { known_.emplace(key); }
+  /// The keys of the table, in file order.
+  std::vector<std::string> keys() const;
+  /// Reports unknown keys, each with the nearest known one.
+  void finish();
+
+  /// A problem at one of its keys, or at the table where the key is absent.
+  template <class... Args>
+  void problem(std::string_view key, ErrorCode code, fmt::format_string<Args...> format, Args&&... args) const {
+    report(place(key), code, fmt::format(format, std::forward<Args>(args)...));
+  }
+
+ private:
+  void report(const Place& where, ErrorCode code, const std::string& message) const;
+  void missing(std::string_view key) const;
+  void wrong_type(std::string_view key, const Value& found, std::string_view wanted) const;
+  double checked(std::string_view key, const Value& found, double preset, const Range& range) const;
+
+  const Value* value_;
+  std::string context_;
+  Problems* problems_;
+  std::set<std::string, std::less<>> known_;
+  bool finished_ = false;
+};
+
+/// Checks `format = 1`, which every file of ours starts with.
+void check_format(Table& root);
+
+}  // namespace ganglion::config

@@ -1,0 +1,84 @@
+#include "ganglion/descriptor/descriptor.h"
+
+#include <array>
+
+namespace ganglion {
+namespace {
+
+constexpr std::array kActingOutputs = {
+    PortDescriptor{.name = "active",
+                   .role = PortRole::Output,
+                   .type = ValueType::Discrete,
+                   .help = {"1 while the module commands, 0 while it is inactive, waits or has withdrawn",
+                            "1 mientras el módulo manda; 0 si está inactivo, espera o se ha retirado"}},
+    PortDescriptor{.name = "status",
+                   .role = PortRole::Output,
+                   .type = ValueType::Discrete,
+                   .help = {"State of the request: 0 none, 1 pending, 2 satisfied, 3 withdrawn",
+                            "Estado de la solicitud: 0 ninguna, 1 pendiente, 2 satisfecha, 3 retirada"}},
+    PortDescriptor{.name = "reason",
+                   .role = PortRole::Output,
+                   .type = ValueType::Discrete,
+                   .help = {"Why the last request was withdrawn: 0 not withdrawn, else a reason code",
+                            "Motivo de la última retirada: 0 sin retirada; si no, un código"}},
+};
+
+template <class Item>
+const Item* find(std::span<const Item> items, std::string_view name) noexcept {
+  for (const Item& item : items) {
+    if (item.name == name) return &item;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::string_view name_of(ComponentClass component_class) noexcept {
+  constexpr std::array<std::string_view, 8> kNames = {"sensation",   "sensing", "goal",  "acting",
+                                                      "coordinator", "sensor",  "drive", "plant"};
+  return kNames[static_cast<std::size_t>(component_class)];
+}
+
+std::string_view name_of(ValueType type) noexcept {
+  constexpr std::array<std::string_view, 3> kNames = {"real", "discrete", "circular"};
+  return kNames[static_cast<std::size_t>(type)];
+}
+
+std::string_view name_of(PortRole role) noexcept {
+  constexpr std::array<std::string_view, 6> kNames = {"request",   "feedback", "candidate",
+                                                      "appraisal", "command",  "output"};
+  return kNames[static_cast<std::size_t>(role)];
+}
+
+std::string_view name_of(ParameterType type) noexcept {
+  constexpr std::array<std::string_view, 6> kNames = {"real", "integer", "boolean", "choice", "word", "reals"};
+  return kNames[static_cast<std::size_t>(type)];
+}
+
+bool is_input(ComponentClass component_class, PortRole role) noexcept {
+  switch (role) {
+    case PortRole::Request:
+    case PortRole::Feedback:
+    case PortRole::Candidate:
+      return true;
+    case PortRole::Appraisal:
+      return component_class == ComponentClass::Sensing;
+    case PortRole::Command:
+    case PortRole::Output:
+      return false;
+  }
+  return false;
+}
+
+const PortDescriptor* Descriptor::port(std::string_view port_name) const noexcept { return find(ports, port_name); }
+
+const ParameterDescriptor* Descriptor::parameter(std::string_view parameter_name) const noexcept {
+  return find(parameters, parameter_name);
+}
+
+std::span<const PortDescriptor> common_outputs(ComponentClass component_class) noexcept {
+  if (component_class == ComponentClass::Acting) return kActingOutputs;
+  return {};
+}
+
+}  // namespace ganglion

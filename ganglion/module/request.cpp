@@ -1,0 +1,44 @@
+#include "ganglion/module/request.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ganglion/base/expects.h"
+#include "ganglion/units/angle.h"
+
+namespace ganglion {
+
+void RequestSlot::ask(std::span<const double> wanted) noexcept {
+  expects(wanted.size() <= values.size());
+  std::copy(wanted.begin(), wanted.end(), values.begin());
+  size = static_cast<int>(wanted.size());
+  status = RequestStatus::Pending;
+  ++serial;
+  reason = {};
+  cost = 0;
+  has_cost = false;
+  ticks = 0;
+}
+
+void RequestSlot::clear() noexcept {
+  status = RequestStatus::None;
+  size = 0;
+  has_cost = false;  // or else whoever asked would be charged again in every later tick
+}
+
+void RequestSlot::withdraw(const Reason& why) noexcept {
+  status = RequestStatus::Withdrawn;
+  reason = why;
+}
+
+bool equal_within(std::span<const double> reading, std::span<const double> request, double tolerance,
+                  bool circular) noexcept {
+  if (reading.size() != request.size() || reading.empty()) return false;
+  for (std::size_t i = 0; i < reading.size(); ++i) {
+    const double difference = circular ? wrap_rad(reading[i] - request[i]) : reading[i] - request[i];
+    if (!(std::fabs(difference) <= tolerance)) return false;
+  }
+  return true;
+}
+
+}  // namespace ganglion
