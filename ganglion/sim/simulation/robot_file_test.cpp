@@ -136,7 +136,7 @@ idle_W = -1
             "robot.toml:13:8: a: rays is a number, must be a whole number\n"
             "robot.toml:15:6: a: id \"a\" is given twice\n"
             "robot.toml:17:9: a: fault is \"ded\"; did you mean \"dead\"?\n"
-            "robot.toml:18:7: a: \"lag_ss\" is no key here; did you mean \"lag_s\"?\n"
+            "robot.toml:18:10: a: \"lag_ss\" is no key here; did you mean \"lag_s\"?\n"
             "robot.toml:20:6: b c: id is \"b c\", must be 1 to 64 letters, digits, _\n"
             "robot.toml:21:8: b c: min_range_m is 4, must be less than max_range_m = 3\n"
             "robot.toml:24:10: energy: idle_W is -1, must be in [0, 1000000]\n");
