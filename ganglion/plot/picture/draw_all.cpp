@@ -1,0 +1,25 @@
+#include "ganglion/plot/picture/pictures.h"
+
+namespace ganglion::plot {
+
+std::vector<Picture> all_pictures(const RunView& run, Language language) {
+  std::vector<Picture> pictures{trajectory_picture(run, language)};
+  for (const auto make : {learned_map_pictures, behaviour_pictures, signal_pictures})
+    for (Picture& picture : make(run, language)) pictures.push_back(std::move(picture));
+  return pictures;
+}
+
+Result<std::vector<std::filesystem::path>> draw_all(const RunView& run, const std::filesystem::path& folder,
+                                                    Language language) {
+  std::vector<std::filesystem::path> paths;
+  for (const Picture& picture : all_pictures(run, language)) {
+    for (const PictureFormat format : {PictureFormat::Svg, PictureFormat::Png, PictureFormat::Pdf}) {
+      auto path = save(picture, format, folder);
+      if (!path) return tl::unexpected(path.error());
+      paths.push_back(std::move(*path));
+    }
+  }
+  return paths;
+}
+
+}  // namespace ganglion::plot
