@@ -8,6 +8,7 @@
 
 #include "ganglion/base/file.h"
 #include "ganglion/config/lexer.h"
+#include "ganglion/config/syntax_hint.h"
 
 namespace ganglion::config {
 namespace {
@@ -97,7 +98,7 @@ Result<Value> parse(std::string_view text, const std::string& file_name) {
   } catch (const toml::parse_error& error) {  // the library as Debian builds it reports by exception
     const Place place{file_name, static_cast<int>(error.source().begin.line),
                       static_cast<int>(error.source().begin.column)};
-    return fail_at(place, ErrorCode::Syntax, "not valid TOML: {}", error.description());
+    return fail_at(place, ErrorCode::Syntax, "not valid TOML: {}", syntax_hint(error.description()));
   }
 }
 
