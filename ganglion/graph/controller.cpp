@@ -93,6 +93,7 @@ void Controller::coordinate(Part& part, const Tick& tick) noexcept {
   if (part.below == nullptr) return;
   if (part.command.kind != CommandKind::Act) {
     part.below->clear();
+    if (part.command.kind == CommandKind::Withdraw) part.below->withdraw(part.command.reason);
   } else if (part.below->status != RequestStatus::Pending ||
              !std::equal(part.command.span().begin(), part.command.span().end(), part.below->span().begin(),
                          part.below->span().end())) {

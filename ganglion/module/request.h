@@ -29,8 +29,10 @@ struct RequestSlot {
   double cost = 0;           ///< Sum over the ticks since the request was made [J].
   bool has_cost = false;
   std::uint32_t ticks = 0;  ///< Ticks since the request was made.
+  int width = 0;            ///< Values that a request must have; 0 = any number of them.
 
-  /// Makes a new request.
+  /// Makes a new request. One that is not of the width or not all numbers is withdrawn on the spot, as BadRequest: no
+  /// module ever sees it.
   void ask(std::span<const double> wanted) noexcept;
   /// Nothing is asked any more.
   void clear() noexcept;

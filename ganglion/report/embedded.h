@@ -4,8 +4,10 @@
 
 namespace ganglion::report {
 
-/// player/*.js, one after the other, as they stood when the program was built.
+/// page/words.js and player/*.js, one after the other, as they stood when the program was built.
 extern const std::string_view kPlayerScript;
+/// page/words.js and page/switch.js: for pages without a player.
+extern const std::string_view kSwitchScript;
 /// style.css.
 extern const std::string_view kStyle;
 

@@ -52,7 +52,8 @@ std::string page(std::string_view title, plot::Language language, std::string_vi
   std::string html = fmt::format(
       "<!doctype html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; "
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; style-src "
+      "'unsafe-inline'; "
       "script-src 'nonce-{}'; base-uri 'none'; form-action 'none'\">\n<title>{}</title>\n<style>\n",
       plot::tag_of(language), nonce, safe(title));
   html += kStyle;

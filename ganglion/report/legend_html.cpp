@@ -91,7 +91,7 @@ Content content_of(const plot::RunView& run) {
     content.behaviours = content.behaviours || !robot.coordinations.empty();
   }
   content.movers = !run.scene.movers.empty();
-  content.walls = !run.scene.walls.empty() || !run.scene.solids.empty();
+  content.walls = !run.scene.walls.empty() || !run.scene.solids.empty() || run.scene.map;
   content.furniture = !run.scene.furniture.empty();
   return content;
 }

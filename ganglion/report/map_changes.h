@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ganglion/plot/run_view.h"
+#include "ganglion/plot/view/run_view.h"
 
 namespace ganglion::report {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "ganglion/report/dictionary.h"
 #include "ganglion/report/map_changes.h"
 #include "ganglion/report/packed.h"
-#include "ganglion/report/words.h"
 
 namespace ganglion::report {
 namespace {
@@ -46,6 +46,20 @@ Json outlines(const std::vector<plot::Outline>& pieces) {
   return list;
 }
 
+std::string pack_blocks(const std::vector<plot::ScannedMap::Block>& blocks) {
+  std::vector<std::uint16_t> numbers;
+  for (const auto& block : blocks)
+    for (const int number : {block.column, block.row, block.columns, block.rows})
+      numbers.push_back(static_cast<std::uint16_t>(std::clamp(number, 0, 65535)));
+  return pack_u16(numbers);
+}
+
+Json map_of(const plot::ScannedMap& map) {
+  return {{"x", rounded(map.origin.position.x)},   {"y", rounded(map.origin.position.y)},
+          {"yaw", map.origin.yaw.rad()},           {"cell", map.cell_m},
+          {"occupied", pack_blocks(map.occupied)}, {"unknown", pack_blocks(map.unknown)}};
+}
+
 Json scene_of(const plot::Scene& scene) {
   Json movers = Json::array();
   for (const plot::Mover& mover : scene.movers) {
@@ -57,7 +71,7 @@ Json scene_of(const plot::Scene& scene) {
   return {{"walls", outlines(scene.walls)},
           {"furniture", outlines(scene.furniture)},
           {"solids", outlines(scene.solids)},
-          {"unknown", outlines(scene.unknown)},
+          {"map", scene.map ? map_of(*scene.map) : Json(nullptr)},
           {"movers", std::move(movers)}};
 }
 
@@ -205,15 +219,6 @@ std::size_t bytes_of(const RobotView& robot) noexcept {
   return per_row * robot.track.times_s.size() * 4 / 3;
 }
 
-Json dictionary() {
-  Json english = Json::object(), spanish = Json::object();
-  for (const Entry& entry : kEntries) {
-    english[std::string(entry.key)] = std::string_view(entry.english);
-    spanish[std::string(entry.key)] = std::string_view(entry.spanish);
-  }
-  return {{"en", std::move(english)}, {"es", std::move(spanish)}};
-}
-
 Json events_of(const plot::RunView& run) {
   static constexpr const char* kLevels[] = {"info", "warning", "error"};
   Json list = Json::array();
@@ -221,28 +226,6 @@ Json events_of(const plot::RunView& run) {
     list.push_back(
         {{"t", rounded(run.events[i].time_s)}, {"level", kLevels[static_cast<int>(run.events[i].severity)]}});
   return list;
-}
-
-/// What a <script> element could mistake for its end, or old parsers for a comment, as JSON escapes.
-std::string fit_for_script(const std::string& json) {
-  std::string result;
-  result.reserve(json.size());
-  for (const char c : json) {
-    switch (c) {
-      case '<':
-        result += "\\u003c";
-        break;
-      case '>':
-        result += "\\u003e";
-        break;
-      case '&':
-        result += "\\u0026";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
 }
 
 }  // namespace
@@ -254,8 +237,7 @@ std::string player_data(const plot::RunView& run, std::size_t max_bytes) {
   Json robots = Json::array();
   for (const RobotView& robot : run.robots) robots.push_back(robot_of(robot, stride));
   const plot::Bounds bounds = plot::bounds_of(run);
-  const Json data{{"words", dictionary()},
-                  {"duration", rounded(run.duration_s)},
+  const Json data{{"duration", rounded(run.duration_s)},
                   {"bounds", flat({bounds.lower, bounds.upper})},
                   {"scene", scene_of(run.scene)},
                   {"robots", std::move(robots)},

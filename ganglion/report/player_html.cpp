@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "ganglion/report/dictionary.h"
 #include "ganglion/report/html.h"
 #include "ganglion/report/legend_html.h"
 #include "ganglion/report/player_data.h"
@@ -116,7 +117,8 @@ std::string player_section(const plot::RunView& run, Language language) {
           " <span id=\"behaviour-name\"></span></span><span id=\"place\"></span></div>\n<dl id=\"readings\"></dl>\n"
           "<p class=\"told\" id=\"told\" role=\"status\"></p>\n";
   html += legend_html(run, language) + keys(language);
-  html += "<script type=\"application/json\" id=\"run\">" + player_data(run) + "</script>\n</section>\n";
+  html += "<script type=\"application/json\" id=\"run\">" + player_data(run) + "</script>\n";
+  html += "<script type=\"application/json\" id=\"words\">" + dictionary_json() + "</script>\n</section>\n";
   return html;
 }
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "ganglion/plot/run_view.h"
+#include "ganglion/plot/view/run_view.h"
 #include "ganglion/report/words.h"
 
 namespace ganglion::report {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "ganglion/base/result.h"
-#include "ganglion/plot/language.h"
-#include "ganglion/plot/run_view.h"
+#include "ganglion/plot/view/language.h"
+#include "ganglion/plot/view/run_view.h"
 
 namespace ganglion::report {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <string_view>
 
-#include "ganglion/plot/language.h"
+#include "ganglion/plot/view/language.h"
 
 namespace ganglion::report {
 

@@ -39,6 +39,22 @@ struct PlacedText {
   TextStyle style;
 };
 
+/// Coloured cells, for grids too large to be drawn as shapes; transparent at first. Row 0 is the lowest.
+class CellImage {
+ public:
+  CellImage(int columns, int rows);
+  /// What lies outside is left out.
+  void fill(int column, int row, int columns, int rows, Colour colour);
+  int columns() const noexcept { return columns_; }
+  int rows() const noexcept { return rows_; }
+  std::span<const std::uint32_t> dots() const noexcept { return dots_; }
+
+ private:
+  int columns_;
+  int rows_;
+  std::vector<std::uint32_t> dots_;  ///< As Cairo's ARGB32, the highest row first.
+};
+
 /// What pictures are drawn with: Cairo in pixels, x to the right, y down. Texts are cleaned of what is no valid UTF-8.
 /// Lengths are in pixels; a point that is not finite is left out.
 class Canvas {
@@ -68,6 +84,9 @@ class Canvas {
   double text_width(std::string_view words, const TextStyle& style = {});
   /// The text, shortened with an ellipsis where it is wider than `width_px`.
   std::string fitted(std::string_view words, double width_px, const TextStyle& style = {});
+
+  /// Cells in the parallelogram from the lower left `corner` along `right` and `up`.
+  void image(const CellImage& cells, Vector2 corner, Vector2 right, Vector2 up);
 
   /// Nothing outside the rectangle is drawn until unclip(); texts are not clipped.
   void clip(Vector2 corner, Vector2 size);

@@ -33,6 +33,19 @@ void draw_filled(Canvas& canvas, const Axes& axes, const std::vector<Outline>& o
   canvas.polygons(shapes, fill);
 }
 
+/// A scanned map has too many blocks for a path each: it goes in as an image of its cells.
+void draw_map(Canvas& canvas, const Axes& axes, const ScannedMap& map) {
+  CellImage image(map.columns, map.rows);
+  for (const ScannedMap::Block& block : map.unknown)
+    image.fill(block.column, block.row, block.columns, block.rows, kMoverFill);
+  for (const ScannedMap::Block& block : map.occupied)
+    image.fill(block.column, block.row, block.columns, block.rows, kWall.colour);
+  const Vector2 lower = axes.at(map.origin.position);
+  const Vector2 right = axes.at(map.origin.to_outer({map.columns * map.cell_m, 0}));
+  const Vector2 upper = axes.at(map.origin.to_outer({0, map.rows * map.cell_m}));
+  canvas.image(image, lower, right - lower, upper - lower);
+}
+
 void draw_mover(Canvas& canvas, const Axes& axes, const Mover& mover, double time_s) {
   const std::size_t now = index_at(mover.times_s, time_s).value_or(0);
   std::vector<Pose2> others;
@@ -58,7 +71,7 @@ void draw_ground(Canvas& canvas, const Axes& axes, const Scene& scene, double ti
     else
       draw_outline(canvas, axes, piece, kFurnitureEdge);
   }
-  draw_filled(canvas, axes, scene.unknown, kMoverFill);
+  if (scene.map) draw_map(canvas, axes, *scene.map);
   draw_filled(canvas, axes, scene.solids, kWall.colour);
   for (const Outline& wall : scene.walls) draw_outline(canvas, axes, wall, kWall);
   for (const Mover& mover : scene.movers) draw_mover(canvas, axes, mover, time_s);
@@ -67,13 +80,13 @@ void draw_ground(Canvas& canvas, const Axes& axes, const Scene& scene, double ti
 
 void add_ground_to_legend(Legend& legend, const Scene& scene, const Words& words) {
   const Vector2 half{7, 6};
-  if (!scene.walls.empty() || !scene.solids.empty()) legend.add_line(std::string(words.wall), kWall);
+  if (!scene.walls.empty() || !scene.solids.empty() || scene.map) legend.add_line(std::string(words.wall), kWall);
   if (!scene.furniture.empty())
     legend.add(std::string(words.static_obstacle), [half](Canvas& canvas, Vector2 centre) {
       canvas.rectangle(centre - half, 2 * half, Colour::hex(0xffffff));
       canvas.rectangle(centre - half, 2 * half, kFurnitureEdge);
     });
-  if (!scene.unknown.empty())
+  if (scene.map && !scene.map->unknown.empty())
     legend.add(std::string(words.unknown_ground),
                [half](Canvas& canvas, Vector2 centre) { canvas.rectangle(centre - half, 2 * half, kMoverFill); });
   if (scene.movers.empty()) return;

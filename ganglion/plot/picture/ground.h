@@ -2,8 +2,8 @@
 
 #include "ganglion/plot/canvas/axes.h"
 #include "ganglion/plot/canvas/legend.h"
-#include "ganglion/plot/run_view.h"
-#include "ganglion/plot/words.h"
+#include "ganglion/plot/picture/words.h"
+#include "ganglion/plot/view/run_view.h"
 
 namespace ganglion::plot {
 

@@ -1,12 +1,10 @@
 #pragma once
 
-#include <filesystem>
 #include <vector>
 
-#include "ganglion/base/result.h"
 #include "ganglion/plot/canvas/picture.h"
-#include "ganglion/plot/run_view.h"
-#include "ganglion/plot/words.h"
+#include "ganglion/plot/picture/words.h"
+#include "ganglion/plot/view/run_view.h"
 
 namespace ganglion::plot {
 
@@ -30,9 +28,5 @@ inline constexpr std::size_t kMaxDrawnRobots = 4;
 
 /// All of the above in this order.
 std::vector<Picture> all_pictures(const RunView& run, Language language);
-
-/// Writes all pictures as SVG, PNG and PDF into `folder`; the files written.
-Result<std::vector<std::filesystem::path>> draw_all(const RunView& run, const std::filesystem::path& folder,
-                                                    Language language);
 
 }  // namespace ganglion::plot

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ganglion/plot/run_view.h"
+#include "ganglion/plot/view/run_view.h"
 
 namespace ganglion::plot {
 

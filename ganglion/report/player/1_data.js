@@ -67,9 +67,15 @@ function decodeRobot(robot) {
   };
 }
 
+function decodeScene(scene) {
+  if (!scene.map) return scene;
+  const map = { ...scene.map, occupied: unpack(scene.map.occupied, 'u16'), unknown: unpack(scene.map.unknown, 'u16') };
+  return { ...scene, map };
+}
+
 /** The run from the page's data block. */
 function decodeRun(json) {
-  return { ...json, robots: json.robots.map(decodeRobot) };
+  return { ...json, scene: decodeScene(json.scene), robots: json.robots.map(decodeRobot) };
 }
 
 /** A reading in metres; the three that are no range as NaN, Infinity and -Infinity. */

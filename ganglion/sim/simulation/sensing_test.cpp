@@ -48,8 +48,9 @@ TEST(Simulation, HasReadingsButNoCostInTheFirstFrame) {
 
 TEST(Simulation, FiresSensorsAtTheirPeriodsAndTellsTheirAges) {
   Trial trial(kRoom,
-              kFast + "[[sensor]]\nid = \"slow\"\nkind = \"Position\"\nperiod_s = 0.25\nphase_s = 0.1\n"
-                      "[[sensor]]\nid = \"each\"\nkind = \"Position\"\n",
+              kFast +
+                  "[[sensor]]\nid = \"slow\"\nkind = \"Position\"\nperiod_s = 0.25\nphase_s = 0.1\n"
+                  "[[sensor]]\nid = \"each\"\nkind = \"Position\"\n",
               at(5, 5));
   EXPECT_TRUE(std::isnan(trial.value("slow.position")));
   EXPECT_EQ(trial.age_s("slow.position"), std::numeric_limits<double>::infinity());
@@ -74,8 +75,9 @@ TEST(Simulation, ShowsOnlyTheLastFiringOfAStep) {
 
 TEST(Simulation, SilencesDeadSensorsFromTheMomentStated) {
   Trial trial(kRoom,
-              kFast + "[[sensor]]\nid = \"sonar\"\nkind = \"Sonar\"\nfault = \"dead\"\nfault_from_s = 0.2\n"
-                      "[[sensor]]\nid = \"place\"\nkind = \"Position\"\nfault = \"dead\"\nfault_from_s = 0.2\n",
+              kFast +
+                  "[[sensor]]\nid = \"sonar\"\nkind = \"Sonar\"\nfault = \"dead\"\nfault_from_s = 0.2\n"
+                  "[[sensor]]\nid = \"place\"\nkind = \"Position\"\nfault = \"dead\"\nfault_from_s = 0.2\n",
               at(9, 5));
   trial.go({0, 0}, 0.1);
   EXPECT_NEAR(trial.value("sonar.range"), 1, 0.06);

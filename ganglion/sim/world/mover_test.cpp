@@ -90,7 +90,8 @@ places = [[1.25, 0.25]]
   EXPECT_EQ(seen, (std::set<double>{0.25, 0.75}));  // the third place overlaps b, the second only touches it
 }
 
-const char* const kWalker = "[[mover]]\nid = \"person\"\nradius_m = 0.25\npath = [[0, 0], [2, 0], [2, 1]]\nspeed_mps = 0.5\n";
+const char* const kWalker =
+    "[[mover]]\nid = \"person\"\nradius_m = 0.25\npath = [[0, 0], [2, 0], [2, 1]]\nspeed_mps = 0.5\n";
 
 TEST(Mover, FollowsItsPathAtItsSpeedAndStopsAtTheEnd) {
   World world = world_of(kWalker);
@@ -149,7 +150,8 @@ TEST(Mover, IsSeenAndMeasuredWhereItStandsNow) {
 }
 
 TEST(Mover, IsTurnedAsItsYawSays) {
-  const World world = world_of("[[mover]]\nid = \"door\"\nlength_m = 2\nwidth_m = 0.1\nyaw_deg = 90\nplaces = [[3, 0]]\n");
+  const World world =
+      world_of("[[mover]]\nid = \"door\"\nlength_m = 2\nwidth_m = 0.1\nyaw_deg = 90\nplaces = [[3, 0]]\n");
   EXPECT_NEAR(world.cast({0, 0.9}, {1, 0}, 10)->range_m, 2.95, 1e-12);
   EXPECT_FALSE(world.cast({0, 1.1}, {1, 0}, 10));
 }

@@ -38,7 +38,8 @@ TEST(Slide, DoesNotTouchAWallItRunsAlong) {
 
 TEST(Slide, DoesNotStumbleOverTheJointsOfAWall) {
   std::string points;
-  for (int i = -20; i <= 20; ++i) points += fmt::format("[{}, {}],", i * 0.3, 1 + i * 0.1);  // one straight slanting line
+  for (int i = -20; i <= 20; ++i)
+    points += fmt::format("[{}, {}],", i * 0.3, 1 + i * 0.1);  // one straight slanting line
   const World world = world_of("[[wall]]\npoints = [" + points + "]\n");
   const Vector2 along = Vector2{3, 1} * (1 / std::sqrt(10.0));
   Vector2 at = world.slide({-4, -1}, {0, 1.5}, 0.2).position;
@@ -105,9 +106,7 @@ TEST(Slide, StaysWhereItIsForAMotionThatIsNone) {
   EXPECT_EQ(world.slide({1, 2}, {nan, 1}, 0.2).position, (Vector2{1, 2}));
 }
 
-double drawn(double low, double high) {
-  return low + (high - low) * *rc::gen::inRange(0, 1'000'001) / 1e6;
-}
+double drawn(double low, double high) { return low + (high - low) * *rc::gen::inRange(0, 1'000'001) / 1e6; }
 
 RC_GTEST_PROP(SlideProperty, NeverEndsInsideASurfaceNorLeavesTheArena, ()) {
   const World world = random_world(*rc::gen::inRange<std::uint64_t>(1, 100'000), 40, true);

@@ -56,9 +56,8 @@ function followLink(player) {
 }
 
 function start() {
-  const json = JSON.parse($('run').textContent);
-  dictionary = json.words;
-  const player = makePlayer(decodeRun(json));
+  dictionary = JSON.parse($('words').textContent);
+  const player = makePlayer(decodeRun(JSON.parse($('run').textContent)));
   $('slider').max = String(player.duration);
   connectButtons(player);
   connectPointer(player);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ganglion/plot/language.h"
+#include "ganglion/plot/view/language.h"
 
 namespace ganglion::plot {
 

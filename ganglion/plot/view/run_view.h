@@ -32,12 +32,28 @@ struct Bounds {
   Vector2 upper{};
 };
 
+/// A map that the ground was made from, as rectangles of cells.
+struct ScannedMap {
+  struct Block {
+    int column = 0;  ///< Of the lower left cell.
+    int row = 0;
+    int columns = 0;
+    int rows = 0;
+  };
+  Pose2 origin{};  ///< Lower corner of cell {0, 0}.
+  double cell_m = 0;
+  int columns = 0;
+  int rows = 0;
+  std::vector<Block> occupied;
+  std::vector<Block> unknown;  ///< Nothing is known of them; as solid as the others.
+};
+
 /// The ground the robots drive on.
 struct Scene {
   std::vector<Outline> walls;
   std::vector<Outline> furniture;
-  std::vector<Outline> solids;   ///< Closed: what a scanned map holds for occupied, as filled shapes.
-  std::vector<Outline> unknown;  ///< Closed: what a scanned map knows nothing of; as solid as the others.
+  std::vector<Outline> solids;  ///< Closed: pillars and other fixed bodies, drawn filled.
+  std::optional<ScannedMap> map;
   std::vector<Mover> movers;
   std::vector<Pose2> spawns;
   std::optional<Bounds> bounds;  ///< None where the run knows no ground.
@@ -102,10 +118,11 @@ struct MapFrame {
   Vector2 origin{};  ///< Lower corner of cell {0, 0} [m].
   int columns = 0;
   int rows = 0;
-  std::vector<std::uint8_t> label;      ///< CellLabel
-  std::vector<std::uint8_t> risk;       ///< 0..255 stands for [0, 1]
-  std::vector<std::uint8_t> dynamic;    ///< 1 = has been both free and blocked
-  std::vector<std::uint8_t> inhibited;  ///< Ticks left before the cell may be tried again, at most 255.
+  std::vector<std::uint8_t> label;    ///< CellLabel
+  std::vector<std::uint8_t> risk;     ///< 0..255 stands for [0, 1]
+  std::vector<std::uint8_t> dynamic;  ///< 1 = has been both free and blocked
+  std::vector<std::uint8_t>
+      inhibited;  ///< > 0 = may not be tried now: ticks left, or 255 where only the fact is known.
 };
 
 struct MapView {
@@ -196,7 +213,8 @@ struct RunView {
 /// Index of the last entry not later than time_s; none before the first. `times_s` ascends.
 std::optional<std::size_t> index_at(std::span<const double> times_s, double time_s) noexcept;
 
-/// The failed attempts that a robot's maps tell of: a cell newly inhibited means a try that failed just then.
+/// The failed attempts that a robot's maps tell of: a cell inhibited anew means a try that failed since the frame
+/// before, and it was made from where the robot came nearest to the cell in that time.
 std::vector<Attempt> failed_attempts(const RobotView& robot);
 
 /// The name of the behaviour at a row of a coordination; empty for none.

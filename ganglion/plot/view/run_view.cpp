@@ -1,4 +1,4 @@
-#include "ganglion/plot/run_view.h"
+#include "ganglion/plot/view/run_view.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,18 +55,34 @@ std::uint8_t inhibition_at(const MapFrame& frame, double cell_m, Vector2 point) 
   return cell < frame.inhibited.size() ? frame.inhibited[cell] : 0;
 }
 
+/// Where the robot was nearest to `place` in (after_s, until_s]; none where it was nowhere known.
+std::optional<std::size_t> nearest_row(const Track& track, Vector2 place, double after_s, double until_s) noexcept {
+  std::optional<std::size_t> nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t row = index_at(track.times_s, after_s).value_or(0); row < track.times_s.size(); ++row) {
+    if (track.times_s[row] > until_s) break;
+    const double squared = (Vector2{track.x_m[row], track.y_m[row]} - place).squared();
+    if (!(squared < least)) continue;
+    least = squared;
+    nearest = row;
+  }
+  return nearest;
+}
+
 void add_attempts(std::vector<Attempt>& attempts, const RobotView& robot, const MapView& map, std::size_t index) {
   const MapFrame& now = map.frames[index];
-  const auto row_of_track = index_at(robot.track.times_s, now.time_s);
-  if (!row_of_track || now.inhibited.size() < static_cast<std::size_t>(now.columns) * now.rows) return;
-  const Vector2 from{robot.track.x_m[*row_of_track], robot.track.y_m[*row_of_track]};
+  if (now.inhibited.size() < static_cast<std::size_t>(now.columns) * now.rows) return;
+  const double after_s = index > 0 ? map.frames[index - 1].time_s : 0;
   for (int row = 0; row < now.rows; ++row) {
     for (int column = 0; column < now.columns; ++column) {
       const std::uint8_t left = now.inhibited[static_cast<std::size_t>(row) * now.columns + column];
       if (left == 0) continue;
       const Vector2 centre = now.origin + Vector2{column + 0.5, row + 0.5} * map.cell_m;
-      const bool known = index > 0 && inhibition_at(map.frames[index - 1], map.cell_m, centre) >= left;
-      if (!known) attempts.push_back({now.time_s, from, centre});
+      if (index > 0 && inhibition_at(map.frames[index - 1], map.cell_m, centre) >= left) continue;
+      const auto from = nearest_row(robot.track, centre, after_s, now.time_s);
+      if (!from) continue;
+      const Track& track = robot.track;
+      attempts.push_back({track.times_s[*from], {track.x_m[*from], track.y_m[*from]}, centre});
     }
   }
 }
@@ -91,6 +107,7 @@ std::vector<Attempt> failed_attempts(const RobotView& robot) {
   std::vector<Attempt> attempts;
   for (const MapView& map : robot.maps)
     for (std::size_t i = 0; i < map.frames.size(); ++i) add_attempts(attempts, robot, map, i);
+  std::ranges::stable_sort(attempts, {}, &Attempt::time_s);
   return attempts;
 }
 

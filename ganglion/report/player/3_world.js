@@ -11,6 +11,22 @@ function viridis(value) {
   return VIRIDIS[below].map((a, i) => Math.round(between(a, VIRIDIS[below + 1][i], place - below)));
 }
 
+/** Rectangles of a scanned map's cells: column, row, columns, rows. One path for all. */
+function drawBlocks(view, map, blocks, colour) {
+  const { context } = view;
+  const cell = map.cell * view.scale;
+  context.save();
+  context.translate(view.x(map.x), view.y(map.y));
+  context.rotate(-map.yaw);
+  context.beginPath();
+  for (let i = 0; i + 3 < blocks.length; i += 4) {
+    context.rect(blocks[i] * cell, -(blocks[i + 1] + blocks[i + 3]) * cell, blocks[i + 2] * cell, blocks[i + 3] * cell);
+  }
+  context.fillStyle = colour;
+  context.fill();
+  context.restore();
+}
+
 function drawGround(view, scene, colours) {
   const [x0, y0, x1, y1] = view.bounds;
   view.trace([x0, y0, x1, y0, x1, y1, x0, y1], true);
@@ -19,9 +35,9 @@ function drawGround(view, scene, colours) {
     view.trace(block.points, true);
     view.fill(colours.wall);
   }
-  for (const block of scene.unknown) {
-    view.trace(block.points, true);
-    view.fill(colours.mover);
+  if (scene.map) {
+    drawBlocks(view, scene.map, scene.map.unknown, colours.mover);
+    drawBlocks(view, scene.map, scene.map.occupied, colours.wall);
   }
   for (const piece of scene.furniture) {
     view.trace(piece.points, piece.closed);

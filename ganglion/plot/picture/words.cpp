@@ -1,4 +1,4 @@
-#include "ganglion/plot/words.h"
+#include "ganglion/plot/picture/words.h"
 
 namespace ganglion::plot {
 namespace {
