@@ -189,6 +189,14 @@ std::filesystem::path Table::path(std::string_view key) {
   return std::filesystem::path(found->place().file).parent_path() / written;
 }
 
+std::filesystem::path Table::file(std::string_view key) {
+  std::filesystem::path named = path(key);
+  std::error_code ignored;
+  if (named.empty() || std::filesystem::exists(named, ignored)) return named;
+  report(place(key), ErrorCode::NotFound, fmt::format("{}: there is no file \"{}\"", key, named.string()));
+  return {};
+}
+
 Table Table::table(std::string_view key) {
   const Value* found = value(key);
   const std::string inner = context_.empty() ? std::string(key) : fmt::format("{}.{}", context_, key);

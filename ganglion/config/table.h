@@ -60,6 +60,8 @@ class Table {
   std::vector<std::string> texts(std::string_view key);
   /// A path, relative to the folder of the file it stands in; behind --set to the working directory. Empty if absent.
   std::filesystem::path path(std::string_view key);
+  /// The same, of a file that must be there: else NotFound at the key, and empty.
+  std::filesystem::path file(std::string_view key);
   /// A table inside; an empty one if absent.
   Table table(std::string_view key);
   /// A list of tables, [[key]]; empty if absent.
