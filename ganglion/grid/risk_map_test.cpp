@@ -231,6 +231,20 @@ TEST(RiskMap, RefusesValuesThatNoMapCanHave) {
   EXPECT_FALSE(RiskMap(8, {}).loaded(twice));
 }
 
+TEST(RiskMap, RefusesACellThatComesTwice) {
+  ByteWriter writer;
+  for (const std::int32_t value : {0, 0, 2}) writer.i32(value);  // column, row, count
+  for (int i = 0; i < 2; ++i) {
+    writer.i32(17);
+    writer.u8(2);
+    writer.f64(0.5);
+    writer.f64(0);
+    writer.u32(0);
+  }
+  const std::vector<ExperiencePart> parts = {{"tile 0 0", writer.take()}};
+  EXPECT_FALSE(RiskMap(8, {}).loaded(parts));
+}
+
 TEST(RiskMap, RefusesMoreTilesThanItMayHold) {
   std::vector<ExperiencePart> parts;
   travelled().save(parts);
