@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "ganglion/module/testing/bench.h"
+#include "ganglion/module/testing/request_bench.h"
 
 namespace ganglion {
 namespace {
@@ -28,7 +28,7 @@ class Probe final : public ActingModule {
 
 TEST(ActingModule, DoesNotLearnFromAStepThatANewRequestBrokeOff) {
   Probe probe;
-  testing::ActingBench bench(probe, kDescriptor);
+  testing::RequestBench bench(probe, kDescriptor);
   RequestSlot below;
   bench.join_below(below);
   bench.ask({5});

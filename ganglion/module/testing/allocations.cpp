@@ -5,20 +5,26 @@
 #include <new>
 
 namespace {
+
 std::atomic<std::uint64_t> count{0};
 
-void* counted(std::size_t size) {
-  count.fetch_add(1, std::memory_order_relaxed);
-  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+void* counted(std::size_t bytes) {
+  ++count;
+  if (void* memory = std::malloc(bytes == 0 ? 1 : bytes)) return memory;
   throw std::bad_alloc();
 }
+
 }  // namespace
 
-// The array, nothrow and sized forms of the standard library end up in these.
-void* operator new(std::size_t size) { return counted(size); }
+void* operator new(std::size_t bytes) { return counted(bytes); }
+void* operator new[](std::size_t bytes) { return counted(bytes); }
 void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace ganglion::testing {
-std::uint64_t allocations() noexcept { return count.load(std::memory_order_relaxed); }
+
+std::uint64_t allocations() noexcept { return count; }
+
 }  // namespace ganglion::testing

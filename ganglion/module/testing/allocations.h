@@ -4,8 +4,8 @@
 
 namespace ganglion::testing {
 
-/// Allocations from the heap by this program so far. Whoever links this gets operator new replaced by one that counts,
-/// so a test can hold that a stretch of code allocates nothing: equal before and after.
+/// How often this program has taken memory from the heap so far. Only in test programs that call it: linking this file
+/// replaces operator new.
 std::uint64_t allocations() noexcept;
 
 }  // namespace ganglion::testing

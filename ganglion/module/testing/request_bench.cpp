@@ -1,4 +1,4 @@
-#include "ganglion/module/testing/bench.h"
+#include "ganglion/module/testing/request_bench.h"
 
 #include <algorithm>
 #include <charconv>
@@ -65,7 +65,7 @@ double PortBlock::output(std::string_view port) const {
   return found->values[0];
 }
 
-ActingBench::ActingBench(ActingModule& module, const Descriptor& descriptor,
+RequestBench::RequestBench(ActingModule& module, const Descriptor& descriptor,
                          std::initializer_list<std::string_view> wired, double step_s)
     : module_(&module), ports_(descriptor, wired), tick_{0, 0, step_s} {
   const auto has_role = [&](PortRole role) {
@@ -83,12 +83,12 @@ ActingBench::ActingBench(ActingModule& module, const Descriptor& descriptor,
   module.grow();
 }
 
-void ActingBench::join_below(RequestSlot& below) {
+void RequestBench::join_below(RequestSlot& below) {
   joints_.below = &below;
   module_->join(joints_);
 }
 
-const Command& ActingBench::tick(std::optional<double> cost) {
+const Command& RequestBench::tick(std::optional<double> cost) {
   ++tick_.number;
   tick_.time_s += tick_.step_s;
   module_->settle(tick_, cost);

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ganglion/base/result.h"
+#include "ganglion/config/value.h"
+#include "ganglion/geometry/pose2.h"
+#include "ganglion/sim/world/occupancy_map.h"
+#include "ganglion/sim/world/shape.h"
+
+namespace ganglion::sim {
+
+/// Limits of a world, so that a hostile or mistaken file ends in a message and not in a full memory.
+inline constexpr double kMaxCoordinate_m = 10'000;
+inline constexpr std::size_t kMaxSegments = 200'000;
+inline constexpr std::size_t kMaxDiscs = 20'000;
+inline constexpr std::size_t kMaxMovers = 1'000;
+inline constexpr std::size_t kMaxSpawns = 10'000;
+inline constexpr std::size_t kMaxPolygonPoints = 1'000;
+/// Nothing may be smaller, and neighbouring points may not lie closer.
+inline constexpr double kMinSize_m = 1e-4;
+
+/// A solid that changes its place while robots drive; it keeps clear of them, not of walls.
+struct MoverPlan {
+  std::string id;
+  std::string label;
+  Material material = Material::Rough;
+  std::vector<Vector2> outline;  ///< A rectangle in its own frame, counter-clockwise; empty for a disc.
+  double radius_m = 0;           ///< Of the disc, or of the circle round the outline.
+  /// Either places: at random moments it jumps to another one that is free...
+  std::vector<Pose2> places;
+  double change_min_s = 0;
+  double change_max_s = 0;
+  /// ...or a path it follows without turning; it waits while a robot stands in its way.
+  std::vector<Vector2> path;
+  Angle yaw;  ///< While on the path.
+  double speed_mps = 0;
+  bool loop = false;  ///< From the last point straight to the first and on; otherwise it stops at the last.
+};
+
+/// A named place to start from.
+struct Spawn {
+  std::string id;
+  std::string label;
+  Pose2 pose;
+  Place place;  ///< Where it is written.
+};
+
+/// What a world file says, checked item by item, before it is made ready for queries.
+struct GroundPlan {
+  std::string name;
+  std::vector<Shape> shapes;
+  std::vector<MoverPlan> movers;
+  std::vector<Spawn> spawns;
+  std::optional<OccupancyMap> map;
+  std::optional<Box2> area;  ///< The ground that counts, for worlds that no wall encloses.
+  Place place;
+};
+
+/// Reads `world.toml`, or a ROS map `.yaml` as a world of its own. Everything wrong with it goes into `problems`.
+GroundPlan load_plan(const std::filesystem::path& path, std::span<const config::Override> overrides,
+                     Problems& problems);
+/// The same from a text; paths in it are relative to the folder of `file_name`.
+GroundPlan parse_plan(std::string_view text, const std::string& file_name, Problems& problems);
+
+}  // namespace ganglion::sim
