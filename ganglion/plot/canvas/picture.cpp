@@ -59,7 +59,7 @@ cairo_status_t draw(const Picture& picture, PictureFormat format, cairo_surface_
   const Context context(cairo_create(surface), cairo_destroy);
   cairo_scale(context.get(), scale_of(format), scale_of(format));
   Canvas canvas(context.get(), format == PictureFormat::Svg ? &texts : nullptr);
-  canvas.rectangle({0, 0}, {picture.width_px, picture.height_px}, Colour::hex(0xffffff));
+  canvas.rectangle({0, 0}, {std::ceil(picture.width_px), std::ceil(picture.height_px)}, Colour::hex(0xffffff));
   picture.draw(canvas);
   cairo_show_page(context.get());
   return cairo_status(context.get());
