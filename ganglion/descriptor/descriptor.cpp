@@ -39,6 +39,11 @@ std::string_view name_of(ComponentClass component_class) noexcept {
   return kNames[static_cast<std::size_t>(component_class)];
 }
 
+std::string_view name_of(ValueType type) noexcept {
+  constexpr std::array<std::string_view, 3> kNames = {"real", "discrete", "circular"};
+  return kNames[static_cast<std::size_t>(type)];
+}
+
 std::string_view name_of(PortRole role) noexcept {
   constexpr std::array<std::string_view, 6> kNames = {"request",   "feedback", "candidate",
                                                       "appraisal", "command",  "output"};

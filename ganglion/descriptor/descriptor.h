@@ -25,6 +25,7 @@ enum class ValueType {
   Discrete,  ///< A whole number: a cell, an event, a switch. Compared exactly.
   Circular,  ///< An angle in (-pi, pi]; differences wrap.
 };
+std::string_view name_of(ValueType) noexcept;
 
 /// What flows through a port; the direction follows from the role and the class (see is_input()).
 enum class PortRole {

@@ -275,6 +275,7 @@ void Compiler::connect_acting(std::size_t index, const Links& links) {
     ++input;
     if (port.role != PortRole::Request) continue;
     if (!part.request) part.request = std::make_unique<RequestSlot>();
+    part.request->width = port.elements.empty() ? port.size : static_cast<int>(port.elements.size());
     const Wire* wire = model.wire(static_cast<int>(p));
     if (wire == nullptr) continue;
     std::vector<GlobalGoal*> goals;

@@ -13,18 +13,20 @@ constexpr double kDefaultTtl_s = 0.3;
 
 void Controller::tick(const SenseFrame& frame, double step_s, ActFrame& act) noexcept {
   const Tick tick{frame.tick, frame.time_s, step_s};
+  const bool priced = frame.cost && std::isfinite(*frame.cost);
+  const std::optional<double> cost = priced ? frame.cost : std::nullopt;
   sense(frame);
   run_sensing(tick);
   for (const int index : schedule_.upward) {
     Part& part = parts_[static_cast<std::size_t>(index)];
     gather(part);
-    part.acting->settle(tick, frame.cost);
+    part.acting->settle(tick, cost);
   }
   run_goals(tick);
   run_acting(tick);
-  grant();
   act.tick = frame.tick;
   send(act, step_s);
+  grant();
   close(tick);
 }
 
@@ -91,6 +93,7 @@ void Controller::coordinate(Part& part, const Tick& tick) noexcept {
   if (part.below == nullptr) return;
   if (part.command.kind != CommandKind::Act) {
     part.below->clear();
+    if (part.command.kind == CommandKind::Withdraw) part.below->withdraw(part.command.reason);
   } else if (part.below->status != RequestStatus::Pending ||
              !std::equal(part.command.span().begin(), part.command.span().end(), part.below->span().begin(),
                          part.below->span().end())) {
@@ -118,9 +121,41 @@ void Controller::publish(Part& part) noexcept {
   std::fill_n(block.ages.begin() + static_cast<std::ptrdiff_t>(part.out_ages.first), part.out_ages.count, 0.0);
 }
 
-/// Consumers come after their candidates in the schedule, so backwards each knows whether it was itself carried out.
-void Controller::grant() noexcept {
+/// What becomes of one command channel. Only commands that are numbers, as many as there should be, are carried out;
+/// adding zero makes -0 into 0, so that a link, which does not tell them apart, gives the same run.
+CommandOrigin Controller::write(const ChannelOut& channel, const Command& command, std::span<double> values) noexcept {
+  bool valid = command.kind == CommandKind::Act && command.span().size() == channel.elements.size();
+  for (const double value : command.span()) valid = valid && std::isfinite(value);
+  for (std::size_t i = 0; i < channel.elements.size(); ++i) {
+    const CommandElement& element = channel.elements[i];
+    values[i] = valid ? std::clamp(command.values[i], element.min, element.max) + 0.0 : element.safe;
+  }
+  if (valid) return CommandOrigin::Commanded;
+  if (command.kind == CommandKind::Act) return CommandOrigin::Refused;
+  return command.kind == CommandKind::Withdraw ? CommandOrigin::Withdrawn : CommandOrigin::Safe;
+}
+
+void Controller::send(ActFrame& act, double step_s) noexcept {
+  const Command nothing;
+  const double longest_s = std::max(kDefaultTtl_s, 1.5 * step_s);
   for (Part& part : parts_) part.granted = true;
+  for (std::size_t c = 0; c < channels_.size(); ++c) {
+    const ChannelOut& channel = channels_[c];
+    Part* writer = channel.writer >= 0 ? &parts_[static_cast<std::size_t>(channel.writer)] : nullptr;
+    const Command& command = writer != nullptr ? command_of(*writer) : nothing;
+    act.origins[c] = write(channel, command, std::span(act.values).subspan(channel.offset, channel.elements.size()));
+    act.ttl_s[c] = command.ttl_s >= 0 ? std::min(command.ttl_s, longest_s) : longest_s;
+    const bool withdrawn = act.origins[c] == CommandOrigin::Withdrawn;
+    act.reasons[c] = withdrawn ? static_cast<std::uint16_t>(command.reason.code) : std::uint16_t{0};
+    if (writer != nullptr) writer->granted = act.origins[c] == CommandOrigin::Commanded;
+  }
+  std::copy(act.values.begin(), act.values.end(),
+            block_->now.begin() + static_cast<std::ptrdiff_t>(command_frame_.first));
+}
+
+/// Consumers come after their candidates in the schedule, so backwards each knows whether it was itself carried out;
+/// send() has told those that write to the application.
+void Controller::grant() noexcept {
   for (auto index = schedule_.acting.rbegin(); index != schedule_.acting.rend(); ++index) {
     Part& part = parts_[static_cast<std::size_t>(*index)];
     if (part.acting) part.acting->grant(part.granted);
@@ -128,29 +163,6 @@ void Controller::grant() noexcept {
       parts_[static_cast<std::size_t>(part.candidate_parts[i])].granted = part.granted && part.shares[i] > 0;
     }
   }
-}
-
-void Controller::send(ActFrame& act, double step_s) noexcept {
-  for (std::size_t c = 0; c < channels_.size(); ++c) {
-    const ChannelOut& channel = channels_[c];
-    const Command command =
-        channel.writer >= 0 ? command_of(parts_[static_cast<std::size_t>(channel.writer)]) : Command{};
-    bool valid = command.kind == CommandKind::Act && static_cast<std::size_t>(command.size) == channel.elements.size();
-    for (const double value : command.span()) valid = valid && std::isfinite(value);
-    for (std::size_t i = 0; i < channel.elements.size(); ++i) {
-      const CommandElement& element = channel.elements[i];
-      act.values[channel.offset + i] = valid ? std::clamp(command.values[i], element.min, element.max) : element.safe;
-    }
-    act.origins[c] = valid                                   ? CommandOrigin::Commanded
-                     : command.kind == CommandKind::Act      ? CommandOrigin::Refused
-                     : command.kind == CommandKind::Withdraw ? CommandOrigin::Withdrawn
-                                                             : CommandOrigin::Safe;
-    const double longest_s = std::max(kDefaultTtl_s, 1.5 * step_s);
-    act.ttl_s[c] = command.ttl_s >= 0 ? std::min(command.ttl_s, longest_s) : longest_s;
-    act.reasons[c] = static_cast<std::uint16_t>(command.reason.code);
-  }
-  std::copy(act.values.begin(), act.values.end(),
-            block_->now.begin() + static_cast<std::ptrdiff_t>(command_frame_.first));
 }
 
 void Controller::close(const Tick& tick) noexcept {

@@ -122,6 +122,7 @@ class Controller {
   void run_goals(const Tick& tick) noexcept;
   void run_acting(const Tick& tick) noexcept;
   void coordinate(Part& part, const Tick& tick) noexcept;
+  static CommandOrigin write(const ChannelOut& channel, const Command& command, std::span<double> values) noexcept;
   void grant() noexcept;
   void send(ActFrame& act, double step_s) noexcept;
   void close(const Tick& tick) noexcept;

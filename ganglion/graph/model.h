@@ -55,6 +55,7 @@ struct ComponentModel {
   Parameters parameters{{}};
   Place place{};
   std::string channel;  ///< Of a sensation: the robot's channel.
+  Place channel_place{};
   int channel_index = -1;
   std::vector<Wire> wires;
   std::string command;  ///< Of an acting module or coordinator: the robot's command it drives, "" = none.
@@ -73,6 +74,9 @@ struct ControllerModel {
   std::filesystem::path robot;  ///< The robot description it was drawn for.
   double tick_s = 0;            ///< The step it was made for; 0 = the application's.
   std::vector<ComponentModel> components;
+  /// Ids of components that could not be understood at all: what names them is not reported on top of that. An empty
+  /// one stands for a component whose id is missing: any name may mean it.
+  std::vector<std::string> misread;
 
   int find(std::string_view id) const noexcept;
 };

@@ -25,8 +25,8 @@ Edges edges_of(const ControllerModel& model) {
   return before;
 }
 
-/// Follows unfinished predecessors until one comes twice: "a -> b -> a".
-std::string cycle_text(const ControllerModel& model, const Edges& before, const std::vector<bool>& done, int start) {
+/// Follows unfinished predecessors until one comes twice: a, b, a in the order they would run.
+std::vector<int> cycle_from(const Edges& before, const std::vector<bool>& done, int start) {
   std::vector<int> path;
   int at = start;
   while (std::find(path.begin(), path.end(), at) == path.end()) {
@@ -41,9 +41,30 @@ std::string cycle_text(const ControllerModel& model, const Edges& before, const 
   path.erase(path.begin(), std::find(path.begin(), path.end(), at));
   path.push_back(at);
   std::reverse(path.begin(), path.end());
+  return path;
+}
+
+/// The first wire of the circle that may carry the value of the tick before; commands may not. Null if there is none.
+const Source* breakable(const ControllerModel& model, const std::vector<int>& path) {
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    for (const Wire& wire : model.components[static_cast<std::size_t>(path[i])].wires) {
+      for (const Source& source : wire.sources) {
+        if (source.kind == Source::Kind::Output && source.component == path[i - 1] && !source.previous) return &source;
+      }
+    }
+  }
+  return nullptr;
+}
+
+void report_cycle(const ControllerModel& model, const std::vector<int>& path, Problems& problems) {
   std::vector<std::string> names;
   for (const int index : path) names.push_back(model.components[static_cast<std::size_t>(index)].id);
-  return join(names, " -> ");
+  const Source* source = breakable(model, path);
+  const std::string remedy = source != nullptr ? fmt::format("write \"{}@previous\" to break it", source->text)
+                                               : std::string("commands cannot; take one of these wires out");
+  problems.add(source != nullptr ? source->place : model.components[static_cast<std::size_t>(path.back())].place,
+               ErrorCode::BadWire, "{}: these wires run in a circle within one tick: {}; {}", names.back(),
+               join(names, " -> "), remedy);
 }
 
 std::vector<int> sorted(const ControllerModel& model, Problems& problems) {
@@ -57,10 +78,8 @@ std::vector<int> sorted(const ControllerModel& model, Problems& problems) {
       if (!done[i] && std::all_of(before[i].begin(), before[i].end(), finished)) next = static_cast<int>(i);
     }
     if (next < 0) {
-      const auto stuck = static_cast<std::size_t>(std::find(done.begin(), done.end(), false) - done.begin());
-      problems.add(model.components[stuck].place, ErrorCode::BadWire,
-                   "{}: these wires run in a circle within one tick: {}; mark one @previous",
-                   model.components[stuck].id, cycle_text(model, before, done, static_cast<int>(stuck)));
+      const auto stuck = std::find(done.begin(), done.end(), false) - done.begin();
+      report_cycle(model, cycle_from(before, done, static_cast<int>(stuck)), problems);
       return result;
     }
     done[static_cast<std::size_t>(next)] = true;

@@ -20,23 +20,41 @@ bool good_id(std::string_view id) noexcept {
 }
 
 void read_id(Table& table, ComponentModel& component) {
-  component.id = table.text("id");
+  component.id = table.text("id", "");
   component.place = table.place("id");
-  if (table.has("id") && !good_id(component.id)) {
+  if (!table.has("id")) {
+    table.problem("id", ErrorCode::MissingKey, "id is missing; write id = \"a_name\"");
+  } else if (!good_id(component.id)) {
     table.problem("id", ErrorCode::BadParameter,
                   "\"{}\" is no id: write a letter, then letters, digits or _, at most 64 in all", component.id);
   }
   table.set_context(component.id);
 }
 
+/// "acting module", as in "no kind of acting module".
+std::string noun_of(ComponentClass component_class) {
+  const bool module = component_class == ComponentClass::Sensing || component_class == ComponentClass::Acting;
+  return fmt::format("{}{}", name_of(component_class), module ? " module" : "");
+}
+
 const Descriptor* read_kind(Table& table, ComponentClass component_class, const KindList& kinds) {
-  const std::string name = table.text("kind");
+  const std::string name = table.text("kind", "");
   const Descriptor* descriptor = find_descriptor(kinds, component_class, name);
-  if (descriptor != nullptr || !table.has("kind")) return descriptor;
+  if (descriptor != nullptr) return descriptor;
+  for (const ComponentClass other : kClasses) {
+    if (find_descriptor(kinds, other, name) == nullptr) continue;
+    table.problem("kind", ErrorCode::UnknownKey, "\"{}\" is a kind of {}; write it under [[{}]], not [[{}]]", name,
+                  noun_of(other), name_of(other), name_of(component_class));
+    return nullptr;
+  }
   std::vector<std::string> names;
   for (const Descriptor* known : descriptors_of(kinds, component_class)) names.emplace_back(known->name);
-  table.problem("kind", ErrorCode::UnknownKey, "\"{}\" is no kind of {} module{}", name, name_of(component_class),
-                suggestion(name, names));
+  if (!table.has("kind")) {
+    table.problem("kind", ErrorCode::MissingKey, "kind is missing{}", suggestion("", names));
+  } else if (table.value("kind")->string() != nullptr) {
+    table.problem("kind", ErrorCode::UnknownKey, "\"{}\" is no kind of {}{}", name, noun_of(component_class),
+                  suggestion(name, names));
+  }
   return nullptr;
 }
 
@@ -62,47 +80,83 @@ std::vector<Source> read_sources(Table& in, const std::string& port) {
   return sources;
 }
 
-void read_wires(Table& table, ComponentModel& component) {
-  Table in = table.table("in");
-  const Descriptor& descriptor = *component.descriptor;
-  in.set_context(component.id);
-  for (const std::string& name : in.keys()) {
-    in.known(name);
-    const PortDescriptor* port = descriptor.port(name);
-    if (port == nullptr || !is_input(descriptor.component_class, port->role)) {
-      in.problem(name, ErrorCode::UnknownKey, "a {} has no input \"{}\"{}", descriptor.name, name,
-                 suggestion(name, input_names(descriptor)));
-      continue;
+/// Reads the `in` table of one component.
+class WireReader {
+ public:
+  WireReader(Table& table, ComponentModel& component)
+      : table_(table), component_(component), descriptor_(*component.descriptor), names_(input_names(descriptor_)) {}
+
+  void run() {
+    misplaced();
+    Table in = table_.table("in");
+    if (table_.has("in") && table_.value("in")->table() == nullptr) return;
+    in.set_context(component_.id);
+    for (const std::string& name : in.keys()) {
+      in.known(name);
+      if (!in.problems().full()) read(in, name);
+    }
+    for (const PortDescriptor& port : descriptor_.ports) {
+      if (!port.required || !is_input(descriptor_.component_class, port.role) || given(port.name)) continue;
+      table_.problem("id", ErrorCode::BadWire, "input \"{}\" is not wired; write in.{} = \"...\"", port.name,
+                     port.name);
+    }
+  }
+
+ private:
+  /// Inputs written without `in.` are told apart from unknown keys.
+  void misplaced() {
+    for (const std::string& name : names_) {
+      if (!table_.has(name) || descriptor_.parameter(name) != nullptr) continue;
+      table_.known(name);
+      table_.problem(name, ErrorCode::UnknownKey, "\"{}\" is an input; write in.{} = \"...\"", name, name);
+      given_.push_back(name);
+    }
+  }
+
+  void read(Table& in, const std::string& name) {
+    const PortDescriptor* port = descriptor_.port(name);
+    if (port == nullptr || !is_input(descriptor_.component_class, port->role)) {
+      in.problem(name, ErrorCode::UnknownKey, "{} has no input \"{}\"{}", descriptor_.name, name,
+                 names_.empty() ? "; it takes none" : suggestion(name, names_));
+      if (auto meant = nearest(name, names_)) given_.push_back(std::move(*meant));
+      return;
     }
     Wire wire;
-    wire.port = static_cast<int>(port - descriptor.ports.data());
+    wire.port = static_cast<int>(port - descriptor_.ports.data());
     wire.place = in.place(name);
     wire.sources = read_sources(in, name);
+    const config::Array* list = in.value(name)->array();
+    if (list == nullptr || !list->empty()) given_.push_back(name);
     if (!port->many && port->role != PortRole::Request && wire.sources.size() > 1) {
       in.problem(name, ErrorCode::BadWire, "input \"{}\" takes one wire, not {}", name, wire.sources.size());
     }
-    component.wires.push_back(std::move(wire));
+    component_.wires.push_back(std::move(wire));
   }
-  for (const PortDescriptor& port : descriptor.ports) {
-    const bool wanted = port.required && is_input(descriptor.component_class, port.role);
-    if (wanted && !in.has(port.name)) {
-      table.problem("id", ErrorCode::BadWire, "input \"{}\" is not wired; write in.{} = \"...\"", port.name, port.name);
-    }
-  }
-}
+
+  bool given(std::string_view name) const { return std::find(given_.begin(), given_.end(), name) != given_.end(); }
+
+  Table& table_;
+  ComponentModel& component_;
+  const Descriptor& descriptor_;
+  std::vector<std::string> names_;
+  std::vector<std::string> given_;  // wired, or meant to be by what was reported already
+};
 
 void read_component(Table& table, ComponentClass component_class, const KindList& kinds, ControllerModel& model) {
   ComponentModel component;
   component.component_class = component_class;
   read_id(table, component);
+  if (component.id.empty()) model.misread.emplace_back();
   if (component_class == ComponentClass::Sensation) {
     component.channel = table.text("channel");
+    component.channel_place = table.place("channel");
     model.components.push_back(std::move(component));
     return;
   }
   component.descriptor = read_kind(table, component_class, kinds);
   if (component.descriptor == nullptr) {  // its keys cannot be judged
     for (const std::string& key : table.keys()) table.known(key);
+    model.misread.push_back(component.id);
     return;
   }
   if (component_class == ComponentClass::Acting || component_class == ComponentClass::Coordinator) {
@@ -113,9 +167,25 @@ void read_component(Table& table, ComponentClass component_class, const KindList
     component.tolerance = table.number("tolerance", 0, config::kNotNegative);
     component.preemption = table.boolean("preemption", true);
   }
-  read_wires(table, component);
+  WireReader(table, component).run();
   component.parameters = table.parameters(component.descriptor->parameters);
   model.components.push_back(std::move(component));
+}
+
+/// Ids under headers that are no class of components, [[actin]], or not written as a list, [acting].
+void gather_misread(Table& root, ControllerModel& model) {
+  const auto is_class = [](std::string_view key) {
+    return std::any_of(kClasses.begin(), kClasses.end(), [&](ComponentClass c) { return name_of(c) == key; });
+  };
+  const auto take = [&](const config::Value& table) {
+    const config::Value* id = table.find("id");
+    if (id != nullptr && id->string() != nullptr) model.misread.push_back(*id->string());
+  };
+  for (const auto& [key, value] : root.members()) {
+    if (value.table() != nullptr) take(value);
+    if (value.array() == nullptr || is_class(key)) continue;
+    for (const config::Value& item : *value.array()) take(item);
+  }
 }
 
 void check_ids(const ControllerModel& model, Problems& problems) {
@@ -162,6 +232,7 @@ ControllerModel read_controller(const config::Value& value, const KindList& kind
       read_component(table, component_class, kinds, model);
     }
   }
+  gather_misread(root, model);
   check_ids(model, problems);
   return model;
 }

@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <map>
 
 #include "ganglion/base/text.h"
-#include "ganglion/graph/model.h"
+#include "ganglion/graph/commands.h"
+#include "ganglion/graph/wire_hints.h"
 
 namespace ganglion {
 namespace {
@@ -11,26 +11,26 @@ namespace {
 class Resolver {
  public:
   Resolver(ControllerModel& model, const RobotDescription& robot, Problems& problems)
-      : model_(model), robot_(robot), problems_(problems) {}
+      : model_(model), robot_(robot), problems_(problems), hints_(model, robot) {}
 
   void run() {
-    for (ComponentModel& component : model_.components) bind_robot(component);
+    for (ComponentModel& component : model_.components) bind_channel(component);
+    bind_commands(model_, robot_, problems_);
     for (ComponentModel& component : model_.components) shape_outputs(component);
     for (ComponentModel& component : model_.components) {
       for (Wire& wire : component.wires) resolve_wire(component, wire);
     }
-    check_commands();
+    check_commands(model_, robot_, problems_);
   }
 
  private:
   template <class... Args>
   void problem(const ComponentModel& component, const Place& place, fmt::format_string<Args...> format,
                Args&&... args) {
-    problems_.add(place, ErrorCode::BadWire, "{}: {}", component.id, fmt::format(format, std::forward<Args>(args)...));
+    report_wire(problems_, component, place, fmt::format(format, std::forward<Args>(args)...));
   }
 
-  void bind_robot(ComponentModel& component);
-  void bind_command(ComponentModel& component);
+  void bind_channel(ComponentModel& component);
   void shape_outputs(ComponentModel& component);
   void resolve_wire(ComponentModel& component, Wire& wire);
   void resolve_source(const ComponentModel& component, const PortDescriptor& port, Source& source);
@@ -41,13 +41,17 @@ class Resolver {
   void resolve_robot_command(const ComponentModel& component, Source& source, const std::vector<std::string>& parts);
   void check_shape(const ComponentModel& component, const PortDescriptor& port, const Source& source);
   void check_order(const ComponentModel& component, const PortDescriptor& port, const Source& source);
-  void check_commands();
   std::string unit_of(const Source& source) const;
-  std::vector<std::string> names_for(const PortDescriptor& port) const;
+  bool has_part(int component, const std::string& name) const;
+  bool misread(const std::string& id) const {
+    return std::any_of(model_.misread.begin(), model_.misread.end(),
+                       [&](const std::string& lost) { return lost.empty() || lost == id; });
+  }
 
   ControllerModel& model_;
   const RobotDescription& robot_;
   Problems& problems_;
+  WireHints hints_;
 };
 
 std::vector<std::string> channel_names(const RobotDescription& robot) {
@@ -56,44 +60,19 @@ std::vector<std::string> channel_names(const RobotDescription& robot) {
   return names;
 }
 
-std::vector<std::string> command_names(const RobotDescription& robot) {
-  std::vector<std::string> names;
-  for (const CommandChannel& channel : robot.commands) names.push_back(channel.name);
-  return names;
+int element_index(const std::vector<std::string>& elements, const std::string& name) {
+  const auto found = std::find(elements.begin(), elements.end(), name);
+  return found == elements.end() ? -1 : static_cast<int>(found - elements.begin());
 }
 
-void Resolver::bind_robot(ComponentModel& component) {
-  if (component.component_class == ComponentClass::Sensation) {
-    const SensationChannel* channel = robot_.sensation(component.channel);
-    if (channel != nullptr) {
-      component.channel_index = static_cast<int>(channel - robot_.sensations.data());
-    } else if (!component.channel.empty()) {
-      problem(component, component.place, "the robot has no channel \"{}\"{}", component.channel,
-              suggestion(component.channel, channel_names(robot_)));
-    }
-  }
-  if (!component.command.empty()) bind_command(component);
-}
-
-void Resolver::bind_command(ComponentModel& component) {
-  const CommandChannel* channel = robot_.command(component.command);
-  if (channel == nullptr) {
-    problem(component, component.command_place, "the robot has no command \"{}\"{}", component.command,
-            suggestion(component.command, command_names(robot_)));
-    return;
-  }
-  component.command_index = static_cast<int>(channel - robot_.commands.data());
-  for (const PortDescriptor& port : component.descriptor->ports) {
-    if (port.role != PortRole::Command || port.size == 0) continue;
-    const auto wanted = channel->elements.size();
-    const auto given = port.elements.empty() ? static_cast<std::size_t>(port.size) : port.elements.size();
-    bool same = wanted == given;
-    for (std::size_t i = 0; same && i < port.elements.size(); ++i) same = channel->elements[i].name == port.elements[i];
-    if (same) continue;
-    std::vector<std::string> mine(port.elements.begin(), port.elements.end()), theirs;
-    for (const CommandElement& element : channel->elements) theirs.push_back(element.name);
-    problem(component, component.command_place, "commands {{{}}} but \"{}\" takes {{{}}}", join(mine),
-            component.command, join(theirs));
+void Resolver::bind_channel(ComponentModel& component) {
+  if (component.component_class != ComponentClass::Sensation) return;
+  const SensationChannel* channel = robot_.sensation(component.channel);
+  if (channel != nullptr) {
+    component.channel_index = static_cast<int>(channel - robot_.sensations.data());
+  } else if (!component.channel.empty()) {
+    problem(component, component.channel_place, "the robot has no channel \"{}\"{}", component.channel,
+            suggestion(component.channel, channel_names(robot_)));
   }
 }
 
@@ -144,28 +123,11 @@ void Resolver::shape_outputs(ComponentModel& component) {
   }
 }
 
-std::vector<std::string> Resolver::names_for(const PortDescriptor& port) const {
-  std::vector<std::string> names;
-  for (const ComponentModel& component : model_.components) {
-    const bool commands =
-        component.component_class == ComponentClass::Acting || component.component_class == ComponentClass::Coordinator;
-    const bool goal = component.component_class == ComponentClass::Goal;
-    if (port.role == PortRole::Candidate) {
-      if (commands) names.push_back(component.id);
-    } else if (port.role == PortRole::Request) {
-      if (commands || goal) names.push_back(component.id);
-    } else if (component.component_class == ComponentClass::Sensation) {
-      names.push_back(component.id);
-    } else {
-      for (const OutputShape& output : component.outputs) names.push_back(component.id + "." + output.name);
-    }
-  }
-  return names;
-}
-
 void Resolver::resolve_wire(ComponentModel& component, Wire& wire) {
   const PortDescriptor& port = component.descriptor->ports[static_cast<std::size_t>(wire.port)];
-  for (Source& source : wire.sources) resolve_source(component, port, source);
+  for (Source& source : wire.sources) {
+    if (!problems_.full()) resolve_source(component, port, source);
+  }
   if (port.role != PortRole::Request || wire.sources.size() < 2) return;
   for (const Source& source : wire.sources) {
     if (source.kind == Source::Kind::ModuleCommand) {
@@ -182,7 +144,8 @@ void Resolver::resolve_source(const ComponentModel& component, const PortDescrip
     source.previous = true;
     text.resize(text.size() - kPrevious.size());
   } else if (const auto at = text.find('@'); at != std::string::npos) {
-    problem(component, source.place, "\"{}\": the only mark is @previous", text);
+    problem(component, source.place, "\"{}\": the only mark is @previous, as in \"{}@previous\"", text,
+            text.substr(0, at));
     return;
   }
   if (port.role != PortRole::Candidate && port.role != PortRole::Request) {
@@ -190,14 +153,14 @@ void Resolver::resolve_source(const ComponentModel& component, const PortDescrip
     return;
   }
   const int found = model_.find(text);
-  const auto found_class =
-      found < 0 ? ComponentClass::Sensation : model_.components[static_cast<std::size_t>(found)].component_class;
-  const bool commands = found_class == ComponentClass::Acting || found_class == ComponentClass::Coordinator;
-  const bool goal = found_class == ComponentClass::Goal && port.role == PortRole::Request;
-  if (found < 0 || (!commands && !goal)) {
+  if (found < 0 && misread(text)) return;
+  const ComponentModel* from = found < 0 ? nullptr : &model_.components[static_cast<std::size_t>(found)];
+  const bool commands = from != nullptr && makes_commands(*from);
+  const bool goal = from != nullptr && from->component_class == ComponentClass::Goal && port.role == PortRole::Request;
+  if (!commands && !goal) {
     problem(component, source.place, "\"{}\" is no {}{}", text,
             port.role == PortRole::Request ? "goal or acting module" : "acting module or coordinator",
-            suggestion(text, names_for(port)));
+            suggestion(text, hints_.givers_for(port)));
     return;
   }
   if (source.previous) {
@@ -212,6 +175,10 @@ void Resolver::resolve_data(const ComponentModel& component, const PortDescripto
                             const std::string& text) {
   const std::vector<std::string> parts = split(text, '.');
   const int found = model_.find(parts[0]);
+  if (parts.size() > 1 && robot_.sensation(text) != nullptr && (found < 0 || !has_part(found, parts[1]))) {
+    problem(component, source.place, "\"{}\" is a channel of the robot; {}", text, hints_.for_channel(text));
+    return;
+  }
   if (found >= 0) {
     source.component = found;
     if (model_.components[static_cast<std::size_t>(found)].component_class == ComponentClass::Sensation) {
@@ -221,24 +188,27 @@ void Resolver::resolve_data(const ComponentModel& component, const PortDescripto
     }
   } else if (robot_.command(parts[0]) != nullptr) {
     resolve_robot_command(component, source, parts);
-  } else {
-    problem(component, source.place, "\"{}\" is no sensation or module{}", parts[0],
-            suggestion(parts[0], names_for(port)));
+  } else if (!misread(parts[0])) {
+    problem(component, source.place, "\"{}\" is no sensation or module{}", parts[0], hints_.for_unknown(port, text));
   }
   if (source.kind == Source::Kind::Unresolved) return;
   check_shape(component, port, source);
   check_order(component, port, source);
 }
 
-int element_index(const std::vector<std::string>& elements, const std::string& name) {
-  const auto found = std::find(elements.begin(), elements.end(), name);
-  return found == elements.end() ? -1 : static_cast<int>(found - elements.begin());
+/// Whether "component.name" means something.
+bool Resolver::has_part(int component, const std::string& name) const {
+  const auto& outputs = model_.components[static_cast<std::size_t>(component)].outputs;
+  return std::any_of(outputs.begin(), outputs.end(), [&](const OutputShape& output) {
+    return output.name == name || (output.name.empty() && element_index(output.elements, name) >= 0);
+  });
 }
 
 void Resolver::resolve_sensation(const ComponentModel& component, Source& source,
                                  const std::vector<std::string>& parts) {
   const ComponentModel& from = model_.components[static_cast<std::size_t>(source.component)];
   const OutputShape& shape = from.outputs.front();
+  if (from.channel_index < 0) return;  // reported already; nothing is known of it
   source.size = shape.size();
   if (parts.size() == 2 && parts[1] == "age_s") {
     source.kind = Source::Kind::SensationAge;
@@ -251,6 +221,11 @@ void Resolver::resolve_sensation(const ComponentModel& component, Source& source
     source.kind = Source::Kind::Sensation;
   }
   if (source.kind != Source::Kind::Unresolved) return;
+  if (shape.elements.empty()) {
+    problem(component, source.place, "\"{}\" is one value; write \"{}\", or \"{}.age_s\" for its age", from.id, from.id,
+            from.id);
+    return;
+  }
   std::vector<std::string> names = shape.elements;
   names.emplace_back("age_s");
   problem(component, source.place, "sensation \"{}\" has no \"{}\"{}", parts[0], parts.back(),
@@ -266,9 +241,13 @@ void Resolver::resolve_output(const ComponentModel& component, Source& source, c
     if (from.outputs[i].declared) declared.push_back(static_cast<int>(i));
   }
   if (parts.size() == 1) {
+    if (names.empty()) {
+      problem(component, source.place, "\"{}\" has no outputs", from.id);
+      return;
+    }
     if (declared.size() != 1) {
-      problem(component, source.place, "\"{}\" has several outputs: write {}.<output>{}", from.id, from.id,
-              suggestion("", names));
+      for (std::string& name : names) name = from.id + "." + name;
+      problem(component, source.place, "\"{}\" has several outputs; say which{}", from.id, suggestion("", names));
       return;
     }
     source.port = declared.front();
@@ -276,7 +255,8 @@ void Resolver::resolve_output(const ComponentModel& component, Source& source, c
     source.port = element_index(names, parts[1]);
   }
   if (source.port < 0 || parts.size() > 3) {
-    problem(component, source.place, "\"{}\" has no output \"{}\"{}", from.id, parts[1], suggestion(parts[1], names));
+    problem(component, source.place, "\"{}\" has no output \"{}\"{}", from.id, source.text.substr(from.id.size() + 1),
+            suggestion(parts[1], names));
     return;
   }
   const OutputShape& shape = from.outputs[static_cast<std::size_t>(source.port)];
@@ -330,15 +310,19 @@ std::string Resolver::unit_of(const Source& source) const {
 }
 
 void Resolver::check_shape(const ComponentModel& component, const PortDescriptor& port, const Source& source) {
-  const int wanted = port.elements.empty() ? port.size : static_cast<int>(port.elements.size());
+  const std::vector<std::string> elements(port.elements.begin(), port.elements.end());
+  const int wanted = elements.empty() ? port.size : static_cast<int>(elements.size());
   if (wanted != 0 && source.size != wanted) {
-    problem(component, source.place, "input \"{}\" takes {} value{}, \"{}\" has {}", port.name, wanted,
-            wanted == 1 ? "" : "s", source.text, source.size);
+    const std::string shape = elements.empty() ? "" : fmt::format(" {{{}}}", join(elements));
+    problem(component, source.place, "input \"{}\" takes {} value{}{}, \"{}\" has {}{}", port.name, wanted,
+            wanted == 1 ? "" : "s", shape, source.text, source.size,
+            wanted == 1 ? suggestion("", hints_.parts_of(source)) : std::string());
   }
   const std::string unit = unit_of(source);
   if (port.unit != "*" && unit != port.unit) {
-    problem(component, source.place, "input \"{}\" is in [{}], \"{}\" is in [{}]", port.name,
-            port.unit.empty() ? "1" : port.unit, source.text, unit.empty() ? "1" : unit);
+    problem(component, source.place, "input \"{}\" is in [{}], \"{}\" is in [{}]{}", port.name,
+            port.unit.empty() ? "1" : port.unit, source.text, unit.empty() ? "1" : unit,
+            suggestion("", hints_.sources_for(port)));
   }
 }
 
@@ -353,41 +337,6 @@ void Resolver::check_order(const ComponentModel& component, const PortDescriptor
   if (late && early) {
     problem(component, source.place, "\"{}\" is known only later in the tick; write \"{}@previous\"", source.text,
             source.text);
-  }
-}
-
-void Resolver::check_commands() {
-  std::map<int, const ComponentModel*> writer;               // of each robot command
-  std::vector<std::string> taker(model_.components.size());  // of each module's command
-  for (const ComponentModel& component : model_.components) {
-    for (const Wire& wire : component.wires) {
-      for (const Source& source : wire.sources) {
-        if (source.kind != Source::Kind::ModuleCommand) continue;
-        std::string& already = taker[static_cast<std::size_t>(source.component)];
-        if (!already.empty()) {
-          problem(component, source.place, "the command of \"{}\" already goes to \"{}\"", source.text, already);
-        }
-        already = component.id;
-      }
-    }
-  }
-  for (std::size_t i = 0; i < model_.components.size(); ++i) {
-    const ComponentModel& component = model_.components[i];
-    if (component.command_index >= 0) {
-      if (const auto [first, fresh] = writer.emplace(component.command_index, &component); !fresh) {
-        problem(component, component.command_place, "\"{}\" already commands \"{}\"; join them by a coordinator",
-                first->second->id, component.command);
-      }
-      if (!taker[i].empty()) {
-        problem(component, component.command_place, "its command already goes to \"{}\"", taker[i]);
-      }
-    }
-    const bool commands =
-        component.component_class == ComponentClass::Acting || component.component_class == ComponentClass::Coordinator;
-    if (commands && component.command.empty() && taker[i].empty()) {
-      problem(component, component.place, "its command goes nowhere: write command = \"...\" or wire it{}",
-              suggestion("", command_names(robot_)));
-    }
   }
 }
 

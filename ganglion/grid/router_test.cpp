@@ -148,7 +148,7 @@ TEST(Router, AvoidsGroundThatHasProvedDear) {
   for (int column = 2; column <= 4; ++column) map.book_cost({column, 1}, 9);  // mean of all: 4; factor 2.25
   Router router({.max_turn = 4});
   ASSERT_EQ(router.find(secure(map), {1, 1}, 0, {5, 1}), Router::Outcome::Found);
-  EXPECT_EQ(router.cost(), 6);  // up, four along, down
+  EXPECT_NEAR(router.cost(), 2 + 2 * kSqrt2, 1e-6);  // up, two along the upper lane, down
   const Pricing by_length{map, {.secure_weighs_cost = false}, Query::Secure, kLater};
   ASSERT_EQ(router.find(by_length, {1, 1}, 0, {5, 1}), Router::Outcome::Found);
   EXPECT_EQ(router.cost(), 4);

@@ -76,6 +76,7 @@ TEST_F(Catalogue, FiltersAndSorts) {
   EXPECT_EQ(files(catalogue.list()), "c.mcap b.mcap a.mcap ");  // newest first
   EXPECT_EQ(files(catalogue.list({.success = true, .sort_by = "time_s", .descending = false})), "c.mcap a.mcap ");
   EXPECT_EQ(files(catalogue.list({.sort_by = "time_s"})), "a.mcap c.mcap b.mcap ");
+  EXPECT_EQ(files(catalogue.list({.sort_by = "time_s", .descending = false})), "c.mcap a.mcap b.mcap ");
   EXPECT_EQ(files(catalogue.list({.seed = 2})), "b.mcap ");
   EXPECT_EQ(files(catalogue.list({.name = "Carlitos"})), "");
   EXPECT_EQ(files(catalogue.list({.controller_hash = "c0", .sort_by = "seed", .descending = false, .limit = 2})),

@@ -139,11 +139,13 @@ TEST_F(RunFileTest, RefusesARowOfTheWrongLength) {
   auto writer = *McapWriter::create(path());
   writer.metadata(kRunMetadata, to_fields(info_of_test()));
   const auto channel = writer.add_channel("/robot0/signals", 0, "protobuf", {{"columns", "a\nb"}});
-  writer.write(channel, 0, 0, 0, "\x1a\x08\x00\x00\x00\x00\x00\x00\xf0\x3f");  // one value, 1.0
+  const std::string_view one_value("\x1a\x08\0\0\0\0\0\0\xf0\x3f", 10);  // 1.0
+  writer.write(channel, 0, 0, 0, one_value);
   ASSERT_TRUE(writer.close());
   const auto run = RunFile::read(path());
   ASSERT_FALSE(run);
   EXPECT_EQ(run.error().code, ErrorCode::Corrupt);
+  EXPECT_EQ(run.error().message, "message 0 of \"/robot0/signals\" is no row of 2 values");
 }
 
 TEST(RunOutcome, NamesTheFieldThatIsWrong) {

@@ -21,7 +21,7 @@ std::optional<double> CourseLearner::learn(double heading_rad) noexcept {
     }
   }
   readings_[static_cast<std::size_t>(count_ % kReadings)] = heading_rad;
-  ++count_;
+  if (++count_ == 2 * kReadings) count_ = kReadings;
   return course;
 }
 

@@ -17,7 +17,7 @@ class CourseLearner {
   static constexpr int kReadings = 9;
   double agreement_rad_;
   std::array<double, kReadings> readings_{};
-  int count_ = 0;
+  int count_ = 0;  ///< Goes round, but never back below a full ring.
 };
 
 }  // namespace ganglion

@@ -166,15 +166,15 @@ TEST(HoldHeading, SlowsAheadAsTheErrorGrows) {
   }
 }
 
-// Row 9 recommended: 10 against 350 is 20 deg.
+// Row 9 recommended: 10 against 350 is 20 deg, and so is 260 against 280, where yaw leaps from -180 to 180.
 TEST(HoldHeading, WrapsTheError) {
-  ActingBench bench(hold_heading_kind);
-  for (int i = 0; i < 3; ++i) {
-    bench.set("heading", yaw_rad(10));
-    bench.step(0.1);
+  for (const auto& [course_deg, bearing_deg] : {std::pair{10.0, 350.0}, {260.0, 240.0}, {280.0, 260.0}}) {
+    ActingBench bench(hold_heading_kind);
+    bench.set("heading", yaw_rad(course_deg));
+    for (int i = 0; i < 3; ++i) bench.step(0.1);
+    bench.set("heading", yaw_rad(bearing_deg));
+    EXPECT_NEAR(turn_of(bench.step(0.1)), 0.05, 1e-12) << course_deg;
   }
-  bench.set("heading", yaw_rad(350));
-  EXPECT_NEAR(turn_of(bench.step(0.1)), 0.05, 1e-12);
 }
 
 // Row 10 recommended: the median of three that agree within 5 deg; it stands until then.

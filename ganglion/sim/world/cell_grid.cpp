@@ -7,7 +7,7 @@ namespace ganglion::sim {
 namespace {
 
 constexpr double kMaxCells = 4 << 20;
-constexpr double kMaxNumber = 1e9;  ///< Of a column or row, either way; differences still fit 32 bits.
+constexpr double kMaxNumber = 1e9;     ///< Of a column or row, either way; differences still fit 32 bits.
 constexpr double kTolerance_m = 1e-9;  ///< A robot as wide as its cell may stand between walls on the cell's borders.
 
 struct Offset {
@@ -152,8 +152,8 @@ std::vector<CellGrid::Cell> CellGrid::reachable_from(Cell from, std::span<const 
 }
 
 std::size_t CellGrid::neighbour(std::size_t from, int k) const noexcept {
-  return from + static_cast<std::size_t>(static_cast<std::ptrdiff_t>(kNeighbours[k].row) * columns_ +
-                                         kNeighbours[k].column);
+  return from +
+         static_cast<std::size_t>(static_cast<std::ptrdiff_t>(kNeighbours[k].row) * columns_ + kNeighbours[k].column);
 }
 
 bool CellGrid::passable(std::size_t from, int k, const Workspace& work) const noexcept {

@@ -9,8 +9,9 @@
 namespace ganglion::sim {
 
 /// The ground as squares that a robot steps between, its cells numbered by floor(position / cell_m): the truth against
-/// which path finders are measured. A cell is free if a disc of the robot's radius can stand at its centre; a step leads to
-/// one of the 8 neighbours if the disc can be carried straight there and, for diagonals, both cells beside it are free.
+/// which path finders are measured. A cell is free if a disc of the robot's radius can stand at its centre; a step
+/// leads to one of the 8 neighbours if the disc can be carried straight there and, for diagonals, both cells beside it
+/// are free.
 class CellGrid {
  public:
   struct Cell {
@@ -21,8 +22,8 @@ class CellGrid {
   /// Memory of a search, so that one can be made without allocating.
   class Workspace;
 
-  /// Cells that lie, wholly or in part, in the ground's bounds. Fails with BadParameter unless cell_m > 0 and radius_m >= 0,
-  /// with TooLarge beyond 4 Mi cells. Cells whose centre lies outside the bounds are not free.
+  /// Cells that lie, wholly or in part, in the ground's bounds. Fails with BadParameter unless cell_m > 0 and radius_m
+  /// >= 0, with TooLarge beyond 4 Mi cells. Cells whose centre lies outside the bounds are not free.
   static Result<CellGrid> make(const Ground& ground, double cell_m, double radius_m);
 
   double cell_m() const noexcept { return cell_m_; }
@@ -45,8 +46,8 @@ class CellGrid {
   /// The same into memory of the caller, cleared first; allocates only beyond its capacity.
   void taken_by_movers(const World& world, std::vector<Cell>& taken) const;
 
-  /// Length of a shortest route [m], octile: straight steps cell_m, diagonal ones sqrt(2) cell_m. `blocked` cells are not
-  /// entered, and diagonals do not pass them, but a route may begin on one. +inf if there is none.
+  /// Length of a shortest route [m], octile: straight steps cell_m, diagonal ones sqrt(2) cell_m. `blocked` cells are
+  /// not entered, and diagonals do not pass them, but a route may begin on one. +inf if there is none.
   double shortest_m(Cell from, Cell to, std::span<const Cell> blocked = {}) const;
   /// The same without allocating; the workspace must come from this grid.
   double shortest_m(Cell from, Cell to, std::span<const Cell> blocked, Workspace& workspace) const noexcept;

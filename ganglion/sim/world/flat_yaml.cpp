@@ -73,7 +73,8 @@ class Parser {
     if (text == "-" || text.starts_with("- ")) return item(text.substr(1), place);
     if (indent > 0) return fail_at(place, ErrorCode::Syntax, "nothing is nested in a map file: start at the margin");
     const std::size_t colon = text.find(':');
-    if (colon == std::string_view::npos || colon == 0 || (colon + 1 < text.size() && text[colon + 1] != ' ' && text[colon + 1] != '\t')) {
+    if (colon == std::string_view::npos || colon == 0 ||
+        (colon + 1 < text.size() && text[colon + 1] != ' ' && text[colon + 1] != '\t')) {
       return fail_at(place, ErrorCode::Syntax, "write key: value");
     }
     return entry(std::string(trimmed(text.substr(0, colon))), trimmed(text.substr(colon + 1)), place, whole);

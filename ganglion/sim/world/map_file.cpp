@@ -16,10 +16,11 @@ namespace {
 constexpr std::array<std::string_view, 6> kRequired = {"image",  "resolution",      "origin",
                                                        "negate", "occupied_thresh", "free_thresh"};
 
-/// The entries of a map file, asked for one by one; the first thing wrong is kept.
+/// The entries of a map file, asked for one by one; where something is wrong a default stands in.
 class MapFile {
  public:
-  MapFile(std::vector<YamlEntry> entries, std::string file) : entries_(std::move(entries)), file_(std::move(file)) {
+  MapFile(std::vector<YamlEntry> entries, std::string file, Problems& problems)
+      : entries_(std::move(entries)), file_(std::move(file)), problems_(problems) {
     for (const std::string_view key : kRequired) {
       if (find(key) == nullptr) note({ErrorCode::MissingKey, fmt::format("{} is missing", key), {file_}});
     }
@@ -73,15 +74,12 @@ class MapFile {
     const YamlEntry* entry = find(key);
     return entry != nullptr ? entry->place : Place{file_};
   }
-  void note(Error error) {
-    if (!error_) error_ = std::move(error);
-  }
-  const std::optional<Error>& error() const noexcept { return error_; }
+  void note(Error error) { problems_.add(std::move(error)); }
 
  private:
   std::vector<YamlEntry> entries_;
   std::string file_;
-  std::optional<Error> error_;
+  Problems& problems_;
 };
 
 struct Thresholds {
@@ -107,40 +105,58 @@ std::vector<Occupancy> cells_of(const GreyImage& image, const Thresholds& thresh
   return cells;
 }
 
-Result<GreyImage> load_image(const std::filesystem::path& path) {
+Result<GreyImage> load_image(const std::filesystem::path& path, const Place& named_at) {
   const auto bytes = read_file(path);
+  if (!bytes && bytes.error().code == ErrorCode::NotFound) {
+    return fail_at(named_at, ErrorCode::NotFound, "there is no picture {}", path.string());
+  }
   if (!bytes) return tl::unexpected<Error>(bytes.error());
   return parse_pgm(*bytes, path.string(), kMaxMapCells);
 }
 
-}  // namespace
+bool within_limits(const Box2& box) noexcept {
+  const Box2 limits{{-kMaxCoordinate_m, -kMaxCoordinate_m}, {kMaxCoordinate_m, kMaxCoordinate_m}};
+  return limits.contains(box.lower) && limits.contains(box.upper);
+}
 
-Result<OccupancyMap> OccupancyMap::load(const std::filesystem::path& yaml_path) {
+/// None if anything is wrong, which then stands in `problems`.
+std::optional<OccupancyMap> read_map(const std::filesystem::path& yaml_path, Problems& problems) {
+  auto keep = [&](const Error& error) {
+    problems.add(error);
+    return std::nullopt;
+  };
   const auto text = read_file(yaml_path);
-  if (!text) return tl::unexpected<Error>(text.error());
+  if (!text) return keep(text.error());
   auto entries = parse_flat_yaml(*text, yaml_path.string());
-  if (!entries) return tl::unexpected<Error>(entries.error());
-  MapFile file(std::move(*entries), yaml_path.string());
+  if (!entries) return keep(entries.error());
+  const std::size_t before = problems.size();
+  MapFile file(std::move(*entries), yaml_path.string(), problems);
   const std::string image_name = file.word("image", "");
   const double resolution_m = file.number("resolution", 1e-4, 1000);
   const auto origin = file.numbers("origin", 3, -kMaxCoordinate_m, kMaxCoordinate_m);
   const Thresholds thresholds{file.flag("negate"), file.number("occupied_thresh", 0, 1),
                               file.number("free_thresh", 0, 1)};
   if (const std::string mode = file.word("mode", "trinary"); mode != "trinary") {
-    file.note({ErrorCode::Unsupported, fmt::format("mode is {}; only trinary maps are read", mode), file.place("mode")});
+    file.note(
+        {ErrorCode::Unsupported, fmt::format("mode is {}; only trinary maps are read", mode), file.place("mode")});
   }
-  if (file.error()) return tl::unexpected<Error>(*file.error());
-  const auto image = load_image(yaml_path.parent_path() / image_name);
-  if (!image) return tl::unexpected<Error>(image.error());
+  if (problems.size() > before) return std::nullopt;
+  const auto image = load_image(yaml_path.parent_path() / image_name, file.place("image"));
+  if (!image) return keep(image.error());
   const Pose2 pose{{origin[0], origin[1]}, Angle::from_rad(origin[2]).wrapped()};
   OccupancyMap map(image->columns, image->rows, resolution_m, pose, cells_of(*image, thresholds));
-  const Box2 box = map.bounds();
-  if (const Box2 limit{{-kMaxCoordinate_m, -kMaxCoordinate_m}, {kMaxCoordinate_m, kMaxCoordinate_m}};
-      !limit.contains(box.lower) || !limit.contains(box.upper)) {
-    return fail_at(file.place("origin"), ErrorCode::TooLarge, "the map reaches beyond {} m from the origin",
-                   kMaxCoordinate_m);
-  }
-  return map;
+  if (within_limits(map.bounds())) return map;
+  return keep(Error{ErrorCode::TooLarge,
+                    fmt::format("the map reaches beyond {} m from the world's origin", kMaxCoordinate_m),
+                    file.place("origin")});
+}
+
+}  // namespace
+
+Result<OccupancyMap> OccupancyMap::load(const std::filesystem::path& yaml_path, Problems& problems) {
+  auto map = read_map(yaml_path, problems);
+  if (map) return std::move(*map);
+  return tl::unexpected<Error>(problems.sorted().front());
 }
 
 }  // namespace ganglion::sim

@@ -107,13 +107,15 @@ bool World::overlaps(std::size_t mover, const Pose2& pose, std::size_t other) co
     const Vector2 seen = present.to_outer(pose.to_local(movers_[other].pose.position));
     return mover_contains(mover, seen) || distance_to(mover, seen) < movers_[other].radius_m;
   }
-  if (mine.empty()) return mover_contains(other, pose.position) || distance_to(other, pose.position) < movers_[mover].radius_m;
+  if (mine.empty())
+    return mover_contains(other, pose.position) || distance_to(other, pose.position) < movers_[mover].radius_m;
   std::array<Vector2, 4> seen;
   for (std::size_t k = 0; k < theirs.size(); ++k) seen[k] = present.to_outer(pose.to_local(theirs[k]));
   return convex_overlap(mine, seen);
 }
 
-/// Whether it can be carried straight along `displacement` without meeting a robot: as if the robots came the other way.
+/// Whether it can be carried straight along `displacement` without meeting a robot: as if the robots came the other
+/// way.
 bool World::way_free(std::size_t mover, Vector2 displacement, std::span<const Disc> robots) const noexcept {
   for (const Disc& robot : robots) {
     Contact first;

@@ -64,8 +64,7 @@ std::vector<std::pair<Vector2, Vector2>> OccupancyMap::borders(std::size_t limit
       [&](int row, int column) { return corner(column, row); });
   run_along(
       columns_, rows_, [&](int column, int row) { return free(column - 1, row); },
-      [&](int column, int row) { return free(column, row); },
-      [&](int column, int row) { return corner(column, row); });
+      [&](int column, int row) { return free(column, row); }, [&](int column, int row) { return corner(column, row); });
   return found;
 }
 

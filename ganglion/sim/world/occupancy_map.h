@@ -18,16 +18,17 @@ enum class Occupancy : std::uint8_t { Free, Occupied, Unknown };
 inline constexpr std::size_t kMaxMapCells = std::size_t{64} << 20;
 
 /// A ROS map_server map, mode trinary: row 0 is the lowest, column 0 the leftmost in the map's frame.
-/// A cell with shade p = (maxval - value) / maxval (value / maxval if negated) is Occupied if p > occupied_thresh, Free if
-/// p < free_thresh, else Unknown. Robots and rays treat Unknown, and what lies beyond the image, as solid.
-/// Source: wiki.ros.org/map_server, sections 1.2 and 1.3.
+/// A cell with shade p = (maxval - value) / maxval (value / maxval if negated) is Occupied if p > occupied_thresh, Free
+/// if p < free_thresh, else Unknown. Robots and rays treat Unknown, and what lies beyond the image, as solid. Source:
+/// wiki.ros.org/map_server, sections 1.2 and 1.3.
 class OccupancyMap {
  public:
   /// Cells in rows from the lowest up. `origin` is the pose of the lower left corner of the lower left cell.
   OccupancyMap(int columns, int rows, double resolution_m, const Pose2& origin, std::vector<Occupancy> cells);
-  /// Reads the YAML file and the PGM image it names. Fails at the line in question with Syntax, MissingKey, BadType,
-  /// BadParameter, Unsupported (modes other than trinary, other image formats), TooLarge, NotFound...
-  static Result<OccupancyMap> load(const std::filesystem::path& yaml_path);
+  /// Reads the YAML file and the PGM image it names. Every problem goes into `problems`, at its line; the first is the
+  /// error: Syntax, MissingKey, BadType, BadParameter, Unsupported (modes other than trinary, other image formats),
+  /// TooLarge, NotFound, Corrupt. Keys that we do not know are other programs' and left alone.
+  static Result<OccupancyMap> load(const std::filesystem::path& yaml_path, Problems& problems);
 
   int columns() const noexcept { return columns_; }
   int rows() const noexcept { return rows_; }

@@ -95,7 +95,8 @@ void read_mover_body(config::Table& table, MoverPlan& mover) {
   if (table.has("radius_m")) {
     mover.radius_m = table.number("radius_m", kSize);
     for (const char* key : {"length_m", "width_m"}) {
-      if (table.has(key)) table.problem(key, ErrorCode::BadParameter, "a mover is a disc or a box: {} or radius_m", key);
+      if (table.has(key))
+        table.problem(key, ErrorCode::BadParameter, "a mover is a disc or a box: {} or radius_m", key);
       table.known(key);
     }
     return;
@@ -174,13 +175,10 @@ void read_area(config::Table& root, GroundPlan& plan) {
 void read_map(config::Table& root, GroundPlan& plan, Problems& problems) {
   const auto path = root.path("map");
   if (path.empty()) return;
-  auto map = OccupancyMap::load(path);
-  if (map) {
-    plan.map = std::move(*map);
-  } else if (map.error().code == ErrorCode::NotFound && map.error().place.file == path.string()) {
+  if (!std::filesystem::exists(path)) {
     root.problem("map", ErrorCode::NotFound, "there is no file {}", path.string());
-  } else {
-    problems.add(map.error());
+  } else if (auto map = OccupancyMap::load(path, problems)) {
+    plan.map = std::move(*map);
   }
 }
 

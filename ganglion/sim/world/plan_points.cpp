@@ -82,9 +82,8 @@ bool check_spacing(config::Table& table, std::string_view key, const std::vector
     apart = false;
     const config::Array& items = *table.value(key)->array();
     table.problems().add(items[(i + 1) % count].place(), ErrorCode::BadParameter,
-                         "{}points {} and {} of {} are the same (closer than {} m){}", named(table), i,
-                         (i + 1) % count, key, kMinSize_m,
-                         i + 1 == count ? "; the last joins the first by itself" : "");
+                         "{}points {} and {} of {} are the same (closer than {} m){}", named(table), i, (i + 1) % count,
+                         key, kMinSize_m, i + 1 == count ? "; the last joins the first by itself" : "");
   }
   return apart;
 }
@@ -100,8 +99,9 @@ void check_outline(config::Table& table, std::string_view key, const std::vector
     for (std::size_t j = i + 2; j < count; ++j) {
       if (i == 0 && j + 1 == count) continue;  // neighbours
       if (!edges_meet(points[i], points[i + 1], points[j], points[(j + 1) % count])) continue;
-      table.problem(key, ErrorCode::BadParameter, "the polygon's outline crosses or touches itself: edges {}-{} and {}-{}",
-                    i, i + 1, j, (j + 1) % count);
+      table.problem(key, ErrorCode::BadParameter,
+                    "the polygon's outline crosses or touches itself: edges {}-{} and {}-{}", i, i + 1, j,
+                    (j + 1) % count);
       return;
     }
   }

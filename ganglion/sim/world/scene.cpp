@@ -53,8 +53,8 @@ struct Rectangle {
   int column, row, columns, rows;
 };
 
-/// Cells that satisfy `wanted` as rectangles: runs along the rows, those that repeat in the next row joined. Gives up at
-/// more than `limit`.
+/// Cells that satisfy `wanted` as rectangles: runs along the rows, those that repeat in the next row joined. Gives up
+/// at more than `limit`.
 template <class Wanted>
 std::vector<Rectangle> rectangles(const OccupancyMap& map, std::size_t limit, Wanted wanted) {
   std::vector<Rectangle> done, open, next;
@@ -122,7 +122,8 @@ std::string scene_json(const World& world) {
   const Box2& box = ground.bounds();
   Json scene;
   scene["name"] = ground.name();
-  scene["bounds"] = Json::array({rounded(box.lower.x), rounded(box.lower.y), rounded(box.upper.x), rounded(box.upper.y)});
+  scene["bounds"] =
+      Json::array({rounded(box.lower.x), rounded(box.lower.y), rounded(box.upper.x), rounded(box.upper.y)});
   scene["shapes"] = Json::array();
   for (const Shape& shape : ground.plan().shapes) scene["shapes"].push_back(shape_of(shape));
   if (ground.plan().map) scene["map"] = map_of(*ground.plan().map);

@@ -41,9 +41,9 @@ void sweep_segment(Vector2 from, Vector2 displacement, double radius_m, Vector2 
   Vector2 normal = along.left() * (1 / along.length());
   if (normal.dot(from - a) < 0) normal = -normal;
   const double approach = -displacement.dot(normal);
-  const double height = normal.dot(from - a);
-  if (approach > 0 && height >= radius_m) {
-    const double fraction = (height - radius_m) / approach;
+  if (approach > 0) {
+    const double height = std::max(normal.dot(from - a) - radius_m, 0.0);  // below 0 by rounding only, or off the ends
+    const double fraction = height / approach;
     const double foot = (from + displacement * fraction - a).dot(along);
     if (fraction <= 1 && foot >= 0 && foot <= along.squared()) return keep_earlier({fraction, normal, 0}, first);
   }

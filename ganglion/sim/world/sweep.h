@@ -12,8 +12,8 @@ struct Contact {
   bool happened() const noexcept { return fraction <= 1; }
 };
 
-/// Where a disc of `radius_m` at `from`, carried along `displacement`, first touches the segment a-b: kept in `first` if
-/// earlier than what stands there. A disc that overlaps already touches at once if it approaches, else not at all.
+/// Where a disc of `radius_m` at `from`, carried along `displacement`, first touches the segment a-b: kept in `first`
+/// if earlier than what stands there. A disc that overlaps already touches at once if it approaches, else not at all.
 void sweep_segment(Vector2 from, Vector2 displacement, double radius_m, Vector2 a, Vector2 b, Contact& first) noexcept;
 
 /// The same for another disc, at rest.

@@ -85,7 +85,9 @@ World::Slide World::slide(Vector2 from, Vector2 displacement, double radius_m,
       break;
     }
     const Vector2 advance = rest * contact.fraction;
-    slide.position += advance + contact.normal * std::min(contact.depth_m + kSkin_m / 2, kSkin_m);
+    slide.position += advance;
+    const Vector2 push = contact.normal * std::min(contact.depth_m + kSkin_m / 2, kSkin_m);
+    if (!first_contact(slide.position, push, radius_m, others).happened()) slide.position += push;
     if (const double approach = displacement.dot(contact.normal); approach < head_on) {
       head_on = approach;
       slide.normal = contact.normal;

@@ -29,8 +29,8 @@ class World {
 
   /// Puts the movers back to their first places and fixes the draws of an episode.
   void reset(std::uint64_t seed, std::uint32_t episode) noexcept;
-  /// Moves the movers through [time_s, time_s + step_s). None ever moves onto a robot: `robots` stay free; a mover on a path
-  /// waits before one, and one that wants to jump while every other place is taken tries again at the next call.
+  /// Moves the movers through [time_s, time_s + step_s). None ever moves onto a robot: `robots` stay free; a mover on a
+  /// path waits before one, and one that wants to jump while every other place is taken tries again at the next call.
   /// Draws depend on (seed, episode, mover's id, tick) only.
   void advance(std::uint32_t tick, double time_s, double step_s, std::span<const Disc> robots) noexcept;
 
@@ -43,9 +43,9 @@ class World {
     bool touched = false;
     Vector2 normal;  ///< Unit, away from the surface touched, the most head-on one of several.
   };
-  /// Carries a disc along `displacement` up to contact, then slides the rest along the surface; corners stop it. It never
-  /// ends inside a surface, however fast; along a straight wall all of the tangential displacement is kept. A disc that
-  /// overlaps a surface to begin with can leave it but not go deeper. `others` are further discs in its way.
+  /// Carries a disc along `displacement` up to contact, then slides the rest along the surface; corners stop it. It
+  /// never ends inside a surface, however fast; along a straight wall all of the tangential displacement is kept. A
+  /// disc that overlaps a surface to begin with can leave it but not go deeper. `others` are further discs in its way.
   Slide slide(Vector2 from, Vector2 displacement, double radius_m, std::span<const Disc> others = {}) const noexcept;
 
   /// Distance to the nearest surface, at most up_to_m; negative inside solids, down to -up_to_m.
