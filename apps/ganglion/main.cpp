@@ -1,1 +1,31 @@
-int main() { return 0; }
+#include "commands.h"
+#include "ganglion/run/version.h"
+
+int main(int argc, char** argv) {
+  CLI::App program{"Ganglion: design, grow, run and measure controllers for small mobile robots", "ganglion"};
+  program.set_version_flag("--version", std::string(ganglion::kVersion));
+  program.require_subcommand(1);
+  program.footer(
+      "Examples:\n"
+      "  ganglion run experiments/nimrod --seed 7\n"
+      "  ganglion run experiments/nimrod --seeds 1..100 --json\n"
+      "  ganglion check experiments/nimrod/controller.toml\n"
+      "Exit codes: 0 done, 1 the robot failed its task, 2 bad input, 4 output failed.");
+  int code = ganglion::kDone;
+  ganglion::add_run(program, code);
+  ganglion::add_check(program, code);
+  ganglion::add_format(program, code);
+  ganglion::add_kinds(program, code);
+  ganglion::add_doctor(program, code);
+  ganglion::add_replay(program, code);
+  ganglion::add_plot(program, code);
+  ganglion::add_runs(program, code);
+  ganglion::add_experience(program, code);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const int status = program.exit(error);
+    return status == 0 ? ganglion::kDone : ganglion::kBadInput;
+  }
+  return code;
+}

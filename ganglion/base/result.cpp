@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "ganglion/base/text.h"
+
 namespace ganglion {
 
 std::string_view name_of(ErrorCode code) noexcept {
@@ -36,7 +38,7 @@ std::string_view name_of(ErrorCode code) noexcept {
 std::string Error::text() const {
   std::string where = place.file;
   if (place.line > 0) where += fmt::format(":{}:{}", place.line, place.column);
-  return where.empty() ? message : where + ": " + message;
+  return printable(where.empty() ? message : where + ": " + message);
 }
 
 std::vector<Error> Problems::sorted() const {
@@ -54,6 +56,7 @@ std::vector<Error> Problems::sorted() const {
 std::string Problems::text() const {
   std::string lines;
   for (const Error& error : sorted()) lines += error.text() + "\n";
+  if (untold_ > 0) lines += fmt::format("and {} more problems\n", untold_);
   return lines;
 }
 

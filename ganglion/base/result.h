@@ -41,7 +41,7 @@ struct Error {
   ErrorCode code = ErrorCode::BadParameter;
   std::string message;
   Place place{};
-  /// "file:line:column: message", leaving out what is unknown.
+  /// "file:line:column: message", leaving out what is unknown; printable() whatever a file held.
   std::string text() const;
 };
 
@@ -67,20 +67,30 @@ tl::unexpected<Error> fail_at(Place place, ErrorCode code, fmt::format_string<Ar
 /// Gathers every problem of a load, so that a person mends a file in one go.
 class Problems {
  public:
-  void add(Error error) { errors_.push_back(std::move(error)); }
+  void add(Error error) {
+    if (full()) {
+      ++untold_;
+    } else {
+      errors_.push_back(std::move(error));
+    }
+  }
   template <class... Args>
   void add(Place place, ErrorCode code, fmt::format_string<Args...> format, Args&&... args) {
     add(Error{code, fmt::format(format, std::forward<Args>(args)...), std::move(place)});
   }
   bool empty() const noexcept { return errors_.empty(); }
   std::size_t size() const noexcept { return errors_.size(); }
+  /// Later ones are only counted: nobody mends more in one go, and a hostile file has no end of them.
+  bool full() const noexcept { return errors_.size() >= kMost; }
   /// In the order of the files' lines, each problem once.
   std::vector<Error> sorted() const;
-  /// One problem a line.
+  /// One problem a line, and at last how many more there are.
   std::string text() const;
 
  private:
+  static constexpr std::size_t kMost = 500;
   std::vector<Error> errors_;
+  std::size_t untold_ = 0;
 };
 
 }  // namespace ganglion

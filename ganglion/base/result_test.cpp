@@ -22,6 +22,18 @@ TEST(Problems, AreSortedByLineAndListedOnce) {
   EXPECT_EQ(problems.text(), "a.toml:2:5: first\na.toml:9:1: second\n");
 }
 
+TEST(Problems, AreCountedBeyondWhatAnyoneMends) {
+  Problems problems;
+  for (int line = 1; line <= 503; ++line) problems.add({"a.toml", line, 1}, ErrorCode::BadType, "wrong");
+  EXPECT_TRUE(problems.full());
+  EXPECT_EQ(problems.size(), 500u);
+  EXPECT_TRUE(problems.text().ends_with("a.toml:500:1: wrong\nand 3 more problems\n"));
+}
+
+TEST(Error, ShowsControlCharactersInsteadOfSendingThem) {
+  EXPECT_EQ((Error{ErrorCode::Syntax, "\"\x1b[2J\n\" is no name", {}}.text()), "\"\\x1b[2J\\x0a\" is no name");
+}
+
 TEST(File, IsWrittenWholeAndFoldersAreRefusedAsFiles) {
   const auto folder = std::filesystem::temp_directory_path() / "ganglion_file_test";
   std::filesystem::remove_all(folder);

@@ -91,6 +91,24 @@ std::vector<std::string> split(std::string_view text, char separator) {
   }
 }
 
+std::string printable(std::string_view text, std::size_t most) {
+  const bool cut = text.size() > most;
+  if (cut) {
+    while (most > 0 && (text[most] & 0xC0) == 0x80) --most;  // not within a letter
+    text = text.substr(0, most);
+  }
+  std::string result;
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    if (code < 0x20 || code == 0x7f) {
+      result += fmt::format("\\x{:02x}", code);
+    } else {
+      result += c;
+    }
+  }
+  return cut ? result + "..." : result;
+}
+
 std::string_view trimmed(std::string_view text) noexcept {
   while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front()))) text.remove_prefix(1);
   while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) text.remove_suffix(1);

@@ -29,6 +29,9 @@ std::optional<double> parse_number(std::string_view word) noexcept;
 /// Parts between separators, untrimmed; "" gives one empty part.
 std::vector<std::string> split(std::string_view text, char separator);
 
+/// The same for a terminal: control characters as "\\x1b", and at most `most` bytes of it, then "...".
+std::string printable(std::string_view text, std::size_t most = 2000);
+
 /// Without white space at either end.
 std::string_view trimmed(std::string_view text) noexcept;
 

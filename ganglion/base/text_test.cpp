@@ -21,6 +21,13 @@ TEST(Suggestion, NamesTheNearestOrListsTheChoices) {
   EXPECT_EQ(suggestion("zzz", {}), "");
 }
 
+TEST(Printable, CutsLongTextsBetweenLetters) {
+  EXPECT_EQ(printable("abc", 3), "abc");
+  EXPECT_EQ(printable("abcd", 3), "abc...");
+  EXPECT_EQ(printable("añb", 2), "a...");  // the ñ takes bytes 1 and 2
+  EXPECT_EQ(printable("a\tb\x7f"), "a\\x09b\\x7f");
+}
+
 TEST(ParseNumber, TakesWholeWordsOnly) {
   EXPECT_EQ(parse_number("1.5"), 1.5);
   EXPECT_EQ(parse_number("-2e3"), -2000);

@@ -144,8 +144,13 @@ std::vector<double> Table::numbers(std::string_view key, std::vector<double> pre
   const Value* found = value(key);
   if (found == nullptr) return preset;
   const Array* items = found->array();
-  if (items == nullptr || (count != 0 && items->size() != count)) {
+  if (items == nullptr) {
     wrong_type(key, *found, count != 0 ? fmt::format("a list of {} numbers", count) : "a list of numbers");
+    return preset;
+  }
+  if (count != 0 && items->size() != count) {
+    report(found->place(), ErrorCode::BadType,
+           fmt::format("{} has {} number{}, must have {}", key, items->size(), items->size() == 1 ? "" : "s", count));
     return preset;
   }
   std::vector<double> result;
@@ -220,8 +225,11 @@ void check_format(Table& root) {
     root.problem("format", ErrorCode::MissingKey, "the file must start with format = 1");
     return;
   }
-  if (root.integer("format", 1) != 1) {
-    root.problem("format", ErrorCode::Unsupported, "this program reads format = 1; the file needs a newer one");
+  const int format = root.integer("format", 1);
+  if (format > 1) {
+    root.problem("format", ErrorCode::Unsupported, "this program reads format = 1; the file needs a newer program");
+  } else if (format < 1) {
+    root.problem("format", ErrorCode::BadParameter, "format is {}, must be 1", format);
   }
 }
 

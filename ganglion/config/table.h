@@ -70,6 +70,8 @@ class Table {
   void known(std::string_view key) { known_.emplace(key); }
   /// The keys of the table, in file order.
   std::vector<std::string> keys() const;
+  /// All that stands in it, known or not.
+  const Members& members() const noexcept { return *value_->table(); }
   /// Reports unknown keys, each with the nearest known one.
   void finish();
 

@@ -7,13 +7,15 @@
 #include <toml++/toml.h>
 
 #include "ganglion/base/file.h"
-#include "ganglion/base/text.h"
+#include "ganglion/config/lexer.h"
+#include "ganglion/config/syntax_hint.h"
 
 namespace ganglion::config {
 namespace {
 
 constexpr std::size_t kMaxBytes = std::size_t{4} << 20;
 constexpr int kMaxDepth = 64;
+constexpr std::size_t kMaxKeys = 10'000;  // keys are looked for one by one
 
 Place place_of(const toml::node& node, const std::string& file) {
   return {file, static_cast<int>(node.source().begin.line), static_cast<int>(node.source().begin.column)};
@@ -32,6 +34,10 @@ Result<Value> convert_array(const toml::array& array, const std::string& file, i
 }
 
 Result<Value> convert_table(const toml::table& table, const std::string& file, int depth) {
+  if (table.size() > kMaxKeys) {
+    return fail_at(place_of(table, file), ErrorCode::TooLarge, "has {} keys; the limit of a table is {}", table.size(),
+                   kMaxKeys);
+  }
   Members members;
   for (const auto& [key, node] : table) {
     auto value = convert(node, file, depth + 1);
@@ -84,12 +90,15 @@ Result<Value> parse(std::string_view text, const std::string& file_name) {
   if (text.size() > kMaxBytes) {
     return fail_at({file_name}, ErrorCode::TooLarge, "has {} bytes; the limit is {}", text.size(), kMaxBytes);
   }
+  if (auto shallow = check_nesting(text, file_name, 2 * kMaxDepth); !shallow) {
+    return tl::unexpected<Error>(shallow.error());
+  }
   try {
     return convert(toml::parse(text, file_name), file_name, 0);
   } catch (const toml::parse_error& error) {  // the library as Debian builds it reports by exception
     const Place place{file_name, static_cast<int>(error.source().begin.line),
                       static_cast<int>(error.source().begin.column)};
-    return fail_at(place, ErrorCode::Syntax, "not valid TOML: {}", error.description());
+    return fail_at(place, ErrorCode::Syntax, "not valid TOML: {}", syntax_hint(error.description()));
   }
 }
 

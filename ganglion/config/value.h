@@ -52,8 +52,11 @@ class Value {
   Place place_;
 };
 
+/// The same values under the same keys; places and the order of keys aside. 1 and 1.0 differ, NaN equals NaN.
+bool equal(const Value& a, const Value& b);
+
 /// Reads TOML 1.0. Fails with the parser's first syntax error at its place, with NotFound, or with TooLarge beyond 4
-/// MiB or 64 levels. Dates are refused: no file of ours has any.
+/// MiB, 64 levels or 10,000 keys in one table. Dates are refused: no file of ours has any.
 Result<Value> parse(std::string_view text, const std::string& file_name);
 Result<Value> load(const std::filesystem::path& path);
 

@@ -16,6 +16,11 @@ constexpr std::array kActingOutputs = {
                    .type = ValueType::Discrete,
                    .help = {"State of the request: 0 none, 1 pending, 2 satisfied, 3 withdrawn",
                             "Estado de la solicitud: 0 ninguna, 1 pendiente, 2 satisfecha, 3 retirada"}},
+    PortDescriptor{.name = "reason",
+                   .role = PortRole::Output,
+                   .type = ValueType::Discrete,
+                   .help = {"Why the last request was withdrawn: 0 not withdrawn, else a reason code",
+                            "Motivo de la última retirada: 0 sin retirada; si no, un código"}},
 };
 
 template <class Item>
@@ -32,6 +37,11 @@ std::string_view name_of(ComponentClass component_class) noexcept {
   constexpr std::array<std::string_view, 8> kNames = {"sensation",   "sensing", "goal",  "acting",
                                                       "coordinator", "sensor",  "drive", "plant"};
   return kNames[static_cast<std::size_t>(component_class)];
+}
+
+std::string_view name_of(ValueType type) noexcept {
+  constexpr std::array<std::string_view, 3> kNames = {"real", "discrete", "circular"};
+  return kNames[static_cast<std::size_t>(type)];
 }
 
 std::string_view name_of(PortRole role) noexcept {

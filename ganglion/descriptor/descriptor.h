@@ -25,6 +25,7 @@ enum class ValueType {
   Discrete,  ///< A whole number: a cell, an event, a switch. Compared exactly.
   Circular,  ///< An angle in (-pi, pi]; differences wrap.
 };
+std::string_view name_of(ValueType) noexcept;
 
 /// What flows through a port; the direction follows from the role and the class (see is_input()).
 enum class PortRole {
@@ -85,7 +86,8 @@ struct Descriptor {
   const ParameterDescriptor* parameter(std::string_view parameter_name) const noexcept;
 };
 
-/// Outputs that every component of a class has besides its own: of acting modules `active` and `status`.
+/// Outputs that every component of a class has besides its own: of acting modules `active`, `status`
+/// and `reason`.
 std::span<const PortDescriptor> common_outputs(ComponentClass) noexcept;
 
 }  // namespace ganglion

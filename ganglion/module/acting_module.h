@@ -11,8 +11,10 @@ namespace ganglion {
 struct ActingLinks {
   RequestSlot* request = nullptr;  ///< Its own request; none = a behaviour that needs no request.
   RequestSlot* below = nullptr;    ///< Where its commands become requests; none = they go to the application.
-  std::size_t satisfied_by = 0;    ///< The input that requests are compared with: the first Feedback port.
-  double tolerance = 0;            ///< Of that comparison.
+  /// The request its commands end in where coordinators stand in between; none = `below`, or the application.
+  const RequestSlot* answer = nullptr;
+  std::size_t satisfied_by = 0;  ///< The input that requests are compared with: the first Feedback port.
+  double tolerance = 0;          ///< Of that comparison.
   bool circular = false;
 };
 
@@ -26,6 +28,10 @@ struct ActingLinks {
 class ActingModule : public Component {
  public:
   void join(const ActingLinks& links) noexcept { joints_ = links; }
+  /// Its commands become requests of a module below.
+  void set_below(RequestSlot* below) noexcept { joints_.below = below; }
+  /// Its commands may become requests of a module below, if a coordinator lets them.
+  void set_answer(const RequestSlot* answer) noexcept { joints_.answer = answer; }
 
   /// Upward sweep: adds up what the last command cost and finds the request satisfied or not.
   /// `frame_cost` is the application's; a module above others sees the sum of theirs instead.
@@ -51,9 +57,12 @@ class ActingModule : public Component {
   virtual void expected_feedback(std::span<double> appraisal) const noexcept;
 
  private:
+  /// The last command is still under way below: in a cycle this means that a new request broke it off.
+  bool interrupted() const noexcept;
   Request get_request() noexcept;
   Feedback get_feedback(const Tick& tick) const noexcept;
   std::optional<Cost> get_cost() const noexcept;
+  Command unasked() const noexcept;
   void send_appraisal() const noexcept;
   void send_command(const Command& command) noexcept;
 

@@ -3,6 +3,7 @@
 #include <limits>
 #include <span>
 
+#include "ganglion/module/request.h"
 #include "ganglion/module/tick.h"
 
 namespace ganglion {
@@ -18,7 +19,11 @@ struct PortView {
 struct Feedback {
   Tick tick{};
   std::span<const PortView> ports{};
-  bool granted = true;  ///< Whether the last command was carried out, not overruled by another module.
+  /// Whether the last command was carried out: neither overruled by another module nor broken off by a new request.
+  bool granted = true;
+  /// What became of the last command where it was a request to a module below; None where it went to the application.
+  RequestStatus outcome = RequestStatus::None;
+  Reason reason{};  ///< Why the module below gave up, when `outcome` is Withdrawn.
 
   const PortView& operator[](std::size_t port) const noexcept { return ports[port]; }
   /// First value of a port; NaN where nothing is wired, so that an optional port reads as a dead sensor.

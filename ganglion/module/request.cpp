@@ -3,26 +3,28 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ganglion/base/expects.h"
 #include "ganglion/units/angle.h"
 
 namespace ganglion {
 
 void RequestSlot::ask(std::span<const double> wanted) noexcept {
-  expects(wanted.size() <= values.size());
-  std::copy(wanted.begin(), wanted.end(), values.begin());
-  size = static_cast<int>(wanted.size());
+  size = static_cast<int>(std::min(wanted.size(), values.size()));
+  std::copy_n(wanted.begin(), size, values.begin());
   status = RequestStatus::Pending;
   ++serial;
   reason = {};
   cost = 0;
   has_cost = false;
   ticks = 0;
+  const bool numbers = std::all_of(wanted.begin(), wanted.end(), [](double value) { return std::isfinite(value); });
+  const bool fits = width == 0 ? wanted.size() <= values.size() : wanted.size() == static_cast<std::size_t>(width);
+  if (!numbers || !fits) withdraw({ReasonCode::BadRequest, values[0], values[1]});
 }
 
 void RequestSlot::clear() noexcept {
   status = RequestStatus::None;
   size = 0;
+  has_cost = false;  // or else whoever asked would be charged again in every later tick
 }
 
 void RequestSlot::withdraw(const Reason& why) noexcept {

@@ -29,12 +29,14 @@ struct RequestSlot {
   double cost = 0;           ///< Sum over the ticks since the request was made [J].
   bool has_cost = false;
   std::uint32_t ticks = 0;  ///< Ticks since the request was made.
+  int width = 0;            ///< Values that a request must have; 0 = any number of them.
 
-  /// Makes a new request.
+  /// Makes a new request. One that is not of the width or not all numbers is withdrawn on the spot, as BadRequest: no
+  /// module ever sees it.
   void ask(std::span<const double> wanted) noexcept;
   /// Nothing is asked any more.
   void clear() noexcept;
-  /// The module gives up.
+  /// The module gives up, or the one above that asked does.
   void withdraw(const Reason& why) noexcept;
   std::span<const double> span() const noexcept { return {values.data(), static_cast<std::size_t>(size)}; }
   std::optional<double> total_cost() const noexcept { return has_cost ? std::optional<double>(cost) : std::nullopt; }

@@ -1,0 +1,61 @@
+#include <cstdio>
+#include <ctime>
+
+#include "commands.h"
+#include "ganglion/experience/store.h"
+#include "say.h"
+
+namespace ganglion {
+namespace {
+
+std::string date_of(std::int64_t seconds) {
+  const std::time_t time = seconds;
+  std::tm parts{};
+  ::gmtime_r(&time, &parts);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%d %H:%M UTC", &parts);
+  return text;
+}
+
+int show(const std::string& file) {
+  if (!std::filesystem::exists(file)) return complain(Error{ErrorCode::NotFound, "there is no such file", {file}});
+  const auto store = ExperienceStore::open(file);
+  if (!store) return complain(store.error());
+  const auto list = store->list();
+  if (!list) return complain(list.error());
+  fmt::print("{:<24}{:<24}{:>8}{:>12}  {}\n", "component", "kind", "parts", "bytes", "saved");
+  for (const StoredComponent& one : *list) {
+    fmt::print("{:<24}{:<24}{:>8}{:>12}  {}\n", one.component, one.kind, one.parts, one.bytes, date_of(one.saved_s));
+  }
+  return kDone;
+}
+
+int forget(const std::string& file, const std::string& component) {
+  if (!std::filesystem::exists(file)) return complain(Error{ErrorCode::NotFound, "there is no such file", {file}});
+  auto store = ExperienceStore::open(file);
+  if (!store) return complain(store.error());
+  const auto dropped = store->forget(component);
+  if (!dropped) return complain(dropped.error());
+  fmt::print("{}: {} parts forgotten\n", component, *dropped);
+  return *dropped > 0 ? kDone : kBadInput;
+}
+
+}  // namespace
+
+void add_experience(CLI::App& program, int& code) {
+  struct Arguments {
+    std::string file, component;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = program.add_subcommand("experience", "What controllers have learned and kept");
+  command->require_subcommand(1);
+  CLI::App* shown = command->add_subcommand("show", "List what a file remembers");
+  shown->add_option("file", arguments->file, "Experience file (.sqlite)")->required();
+  shown->callback([arguments, &code] { code = show(arguments->file); });
+  CLI::App* forgotten = command->add_subcommand("forget", "Drop what one component has learned");
+  forgotten->add_option("file", arguments->file, "Experience file (.sqlite)")->required();
+  forgotten->add_option("component", arguments->component, "Id in the controller")->required();
+  forgotten->callback([arguments, &code] { code = forget(arguments->file, arguments->component); });
+}
+
+}  // namespace ganglion

@@ -1,0 +1,21 @@
+#include "interrupt.h"
+
+#include <csignal>
+
+namespace ganglion {
+namespace {
+
+volatile std::sig_atomic_t caught = 0;
+
+void note(int) { caught = 1; }
+
+}  // namespace
+
+void catch_interrupts() {
+  std::signal(SIGINT, note);
+  std::signal(SIGTERM, note);
+}
+
+bool interrupted() noexcept { return caught != 0; }
+
+}  // namespace ganglion

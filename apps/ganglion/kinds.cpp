@@ -1,0 +1,58 @@
+#include "commands.h"
+#include "ganglion/base/text.h"
+#include "ganglion/descriptor/kind_page.h"
+#include "ganglion/descriptor/kinds_json.h"
+#include "ganglion/kinds/kinds.h"
+#include "say.h"
+
+namespace ganglion {
+namespace {
+
+int list_kinds(Language language) {
+  for (const Descriptor* kind : all_descriptors()) {
+    fmt::print("{:<12} {:<26} {:<8} {}\n", name_of(kind->component_class), kind->name, kind->paper_name,
+               language == Language::Spanish ? kind->summary.es : kind->summary.en);
+  }
+  return kDone;
+}
+
+std::vector<const Descriptor*> matching(const std::string& name) {
+  std::vector<const Descriptor*> found;
+  for (const Descriptor* kind : all_descriptors()) {
+    if (name.empty() || kind->name == name || kind->paper_name == name) found.push_back(kind);
+  }
+  return found;
+}
+
+}  // namespace
+
+void add_kinds(CLI::App& program, int& code) {
+  struct Arguments {
+    std::string kind, language = "en";
+    bool json = false;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = program.add_subcommand("kinds", "The kinds of component: all of them, or the page of one");
+  command->add_option("kind", arguments->kind, "Name or the paper's name, e.g. DynamicMapRouter or AmDmr");
+  command->add_option("--language", arguments->language, "en or es")->check(CLI::IsMember({"en", "es"}));
+  command->add_flag("--json", arguments->json, "As data: ports, parameters, texts in both languages");
+  command->footer("Examples:\n  ganglion kinds\n  ganglion kinds Escape\n  ganglion kinds --json");
+  command->callback([arguments, &code] {
+    const auto found = matching(arguments->kind);
+    const Language language = arguments->language == "es" ? Language::Spanish : Language::English;
+    if (found.empty()) {
+      std::vector<std::string> names;
+      for (const Descriptor* kind : all_descriptors()) names.emplace_back(kind->name);
+      code = complain(Error{ErrorCode::UnknownKey,
+                            fmt::format("\"{}\" is no kind{}", arguments->kind, suggestion(arguments->kind, names)), {}});
+    } else if (arguments->json) {
+      fmt::print("{}", kinds_json(found));
+    } else if (arguments->kind.empty()) {
+      code = list_kinds(language);
+    } else {
+      fmt::print("{}", kind_page(*found.front(), language));
+    }
+  });
+}
+
+}  // namespace ganglion

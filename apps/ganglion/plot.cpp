@@ -1,0 +1,37 @@
+#include "commands.h"
+#include "ganglion/plot/draw_all.h"
+#include "ganglion/record/run_file.h"
+#include "ganglion/report/report.h"
+#include "say.h"
+
+namespace ganglion {
+
+void add_plot(CLI::App& program, int& code) {
+  struct Arguments {
+    std::string file, out, language = "en";
+  };
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = program.add_subcommand("plot", "Draw the pictures and the report of a recorded run");
+  command->add_option("file", arguments->file, "Run file (.mcap)")->required();
+  command->add_option("--out", arguments->out, "Folder to write to")->required();
+  command->add_option("--language", arguments->language, "en or es")->check(CLI::IsMember({"en", "es"}));
+  command->footer("Example:\n  ganglion plot runs/nimrod/seed_0001.mcap --out pictures");
+  command->callback([arguments, &code] {
+    const auto run = RunFile::read(arguments->file, Recover::Yes);
+    if (!run) {
+      code = complain(run.error());
+      return;
+    }
+    const plot::RunView view = plot::from_run_file(*run);
+    const auto language = arguments->language == "es" ? plot::Language::Spanish : plot::Language::English;
+    const auto files = plot::draw_all(view, arguments->out, language);
+    if (!files) {
+      complain(files.error());
+      code = kOutputFailed;
+      return;
+    }
+    for (const auto& file : *files) fmt::print("wrote {}\n", file.string());
+  });
+}
+
+}  // namespace ganglion

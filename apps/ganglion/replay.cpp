@@ -1,0 +1,69 @@
+#include <cstdio>
+
+#include "commands.h"
+#include "ganglion/base/file.h"
+#include "ganglion/base/text.h"
+#include "ganglion/run/replay.h"
+#include "say.h"
+
+namespace ganglion {
+namespace {
+
+int replay_recorded(const std::string& file) {
+  const auto result = replay_run(file);
+  if (!result) return complain(result.error());
+  if (result->same) {
+    fmt::print("same: digest {}\n", result->digest);
+    return kDone;
+  }
+  fmt::print("differs: recorded digest {}, repeated {}\n", result->recorded_digest, result->digest);
+  if (result->first_tick) {
+    fmt::print("first at tick {}, signal {}: recorded {}, repeated {}\n", *result->first_tick, result->signal,
+               shortest(result->recorded_value), shortest(result->value));
+  }
+  return kRobotFailed;
+}
+
+int replay_csv(const std::string& controller, const std::string& inputs, const std::string& out) {
+  Problems problems;
+  const auto text = replay_open_loop(controller, inputs, problems);
+  if (!text) return complain(problems);
+  if (const auto written = write_file(out, *text); !written) {
+    complain(written.error());
+    return kOutputFailed;
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_replay(CLI::App& program, int& code) {
+  struct Arguments {
+    std::string file, inputs, out;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command =
+      program.add_subcommand("replay", "Repeat a recorded run and compare, or feed a controller from a table");
+  command->add_option("file", arguments->file, "A run file (.mcap), or a controller.toml")->required();
+  auto* inputs = command->add_option("--inputs", arguments->inputs, "Table of sensations (CSV) for a controller");
+  auto* out = command->add_option("--out", arguments->out, "Table of commands to write (CSV)");
+  inputs->needs(out);
+  out->needs(inputs);
+  command->footer(
+      "Examples:\n"
+      "  ganglion replay runs/nimrod/seed_0001.mcap\n"
+      "  ganglion replay experiments/nimrod/controller.toml --inputs in.csv --out out.csv\n"
+      "Exit codes: 0 same, 1 differs, 2 bad input.");
+  command->callback([arguments, &code] {
+    const bool controller = arguments->file.ends_with(".toml");
+    if (controller && arguments->inputs.empty()) {
+      code = complain(Error{ErrorCode::MissingKey, "a controller needs --inputs IN.csv --out OUT.csv", {}});
+    } else if (controller) {
+      code = replay_csv(arguments->file, arguments->inputs, arguments->out);
+    } else {
+      code = replay_recorded(arguments->file);
+    }
+  });
+}
+
+}  // namespace ganglion

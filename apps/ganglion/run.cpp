@@ -1,0 +1,252 @@
+#include <cstdio>
+#include <ctime>
+
+#include "commands.h"
+#include "ganglion/base/text.h"
+#include "ganglion/experience/experience_writer.h"
+#include "ganglion/experience/store.h"
+#include "ganglion/record/catalogue.h"
+#include "ganglion/record/run_file.h"
+#include "ganglion/report/report.h"
+#include "ganglion/run/batch.h"
+#include "ganglion/run/recording.h"
+#include "interrupt.h"
+#include "results_json.h"
+#include "say.h"
+
+namespace ganglion {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RunArguments {
+  std::string experiment;
+  std::vector<std::string> set;
+  std::uint64_t seed = 0;
+  bool has_seed = false;
+  std::string seeds;
+  std::string pace = "max";
+  std::string out;
+  std::string experience;
+  std::string language = "en";
+  int threads = 0;
+  bool json = false;
+  bool no_record = false;
+  bool no_report = false;
+};
+
+std::vector<config::Override> overrides_of(const RunArguments& arguments, Problems& problems) {
+  std::vector<config::Override> overrides;
+  for (const std::string& text : arguments.set) {
+    if (auto override = config::parse_override(text)) {
+      overrides.push_back(std::move(*override));
+    } else {
+      problems.add(override.error());
+    }
+  }
+  return overrides;
+}
+
+Result<double> pace_of(const std::string& text) {
+  if (text == "max") return 0.0;
+  std::string_view number = text;
+  if (number.ends_with('x')) number.remove_suffix(1);
+  const auto factor = parse_number(number);
+  if (factor && *factor > 0 && std::isfinite(*factor)) return *factor;
+  return fail(ErrorCode::BadParameter, "--pace {}: write max, or a multiple of real time such as 1x or 0.5x", text);
+}
+
+struct SeedRange {
+  std::uint64_t first, last;
+};
+
+Result<SeedRange> seeds_of(const std::string& text) {
+  const auto dots = text.find("..");
+  const auto first = parse_number(text.substr(0, dots));
+  const auto last = dots != std::string::npos ? parse_number(text.substr(dots + 2)) : first;
+  const bool whole = first && last && *first == std::floor(*first) && *last == std::floor(*last);
+  if (!whole || *first < 0 || *last < *first || *last - *first >= 1e6 || *last > 9e15) {
+    return fail(ErrorCode::BadParameter, "--seeds {}: write two whole numbers, as in 1..100 (at most a million)", text);
+  }
+  return SeedRange{static_cast<std::uint64_t>(*first), static_cast<std::uint64_t>(*last)};
+}
+
+/// "runs/nimrod": the folder's name, or the file's where that says more.
+fs::path output_folder(const RunArguments& arguments) {
+  if (!arguments.out.empty()) return arguments.out;
+  fs::path named = fs::path(arguments.experiment).lexically_normal();
+  if (!named.has_filename()) named = named.parent_path();
+  return fs::path("runs") / (named.stem() == "experiment" ? fs::absolute(named).parent_path().filename() : named.stem());
+}
+
+fs::path run_file(const fs::path& folder, std::uint64_t seed) { return folder / fmt::format("seed_{:04}.mcap", seed); }
+
+Result<std::vector<ModuleExperience>> load_experience(const std::string& file) {
+  if (file.empty() || !fs::exists(file)) return std::vector<ModuleExperience>{};
+  auto store = ExperienceStore::open(file);
+  if (!store) return tl::unexpected<Error>(store.error());
+  auto parts = store->load_all();
+  if (!parts) return tl::unexpected<Error>(parts.error());
+  return from_parts(*parts);
+}
+
+/// Lists the recorded runs, so that `ganglion runs` finds them. A catalogue that cannot be written is no loss: it is rebuilt
+/// from the files.
+void catalogue(const fs::path& folder, const std::vector<RunResult>& results, const Prepared& prepared) {
+  auto runs = RunCatalogue::open(folder);
+  if (!runs) {
+    complain(runs.error());
+    return;
+  }
+  for (const RunResult& result : results) {
+    if (result.files.empty()) continue;
+    RunSummary summary;
+    summary.file = fs::path(result.files.front()).lexically_relative(folder).generic_string();
+    summary.name = prepared.experiment.name;
+    summary.seed = result.seed;
+    summary.controller_hash = prepared.controller_hash;
+    summary.finished = true;
+    summary.digest = result.digest;
+    summary.success = result.success;
+    summary.reason = result.reason;
+    summary.measures = result.measures;
+    summary.recorded_s = std::time(nullptr);
+    if (auto added = runs->add(summary); !added) complain(added.error());
+  }
+}
+
+int print(const RunArguments& arguments, const std::vector<RunResult>& results) {
+  const std::string text = arguments.json ? results_json(results) : results_table(results);
+  return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() ? kDone : kOutputFailed;
+}
+
+int run_many(const Prepared& prepared, const RunArguments& arguments, const SeedRange& seeds,
+             std::vector<ModuleExperience> experience) {
+  const fs::path folder = output_folder(arguments);
+  BatchOptions options;
+  options.first_seed = seeds.first;
+  options.last_seed = seeds.last;
+  options.threads = arguments.threads;
+  options.experience = std::move(experience);
+  if (!arguments.no_record) options.run_file = [&](std::uint64_t seed) { return run_file(folder, seed); };
+  ProgressLine line(!arguments.json);
+  const double start_s = wall_s();
+  options.progress = [&](std::size_t done, std::size_t all) {
+    line.show(static_cast<double>(done) / static_cast<double>(all),
+              fmt::format("{} of {} runs, {:.1f} runs/s", done, all, static_cast<double>(done) / (wall_s() - start_s)));
+    return !interrupted();
+  };
+  const auto results = run_batch(prepared, options);
+  if (!results) return complain(results.error());
+  if (!arguments.no_record) catalogue(folder, *results, prepared);
+  return print(arguments, *results);
+}
+
+/// The report of a run, beside its file.
+void report(const RunArguments& arguments, RunResult& result) {
+  const auto file = RunFile::read(result.files.front());
+  if (!file) {
+    complain(file.error());
+    return;
+  }
+  fs::path page = result.files.front();
+  page.replace_extension(".html");
+  const plot::RunView view = plot::from_run_file(*file);
+  if (auto written = report::write_report(view, page, report_language(arguments.language)); !written) {
+    complain(written.error());
+    return;
+  }
+  result.files.push_back(page.string());
+}
+
+int run_one(const Prepared& prepared, const RunArguments& arguments, double pace,
+            std::vector<ModuleExperience> experience) {
+  RunOptions options;
+  options.seed = arguments.has_seed ? arguments.seed : prepared.experiment.seed;
+  options.pace = pace;
+  options.experience = std::move(experience);
+  if (!arguments.no_record) options.run_file = run_file(output_folder(arguments), options.seed);
+  std::unique_ptr<ExperienceWriter> keeper;
+  if (!arguments.experience.empty()) {
+    auto store = ExperienceStore::open(arguments.experience);
+    if (!store) return complain(store.error());
+    keeper = std::make_unique<ExperienceWriter>(std::move(*store));
+    options.learned = [&](const std::vector<ModuleExperience>& learned) { keeper->submit(to_parts(learned)); };
+  }
+  ProgressLine line(!arguments.json);
+  const double start_s = wall_s();
+  options.progress = [&](double share) {
+    line.show(share, fmt::format("{:.0f}x real time", share * prepared.experiment.duration_s / (wall_s() - start_s)));
+    return !interrupted();
+  };
+  auto result = run(prepared, options);
+  if (!result) return complain(result.error());
+  if (keeper) {
+    if (auto kept = keeper->flush(); !kept) complain(kept.error());
+  }
+  if (!arguments.no_record) {
+    if (!arguments.no_report) report(arguments, *result);
+    catalogue(output_folder(arguments), {*result}, prepared);
+  }
+  if (print(arguments, {*result}) != kDone) return kOutputFailed;
+  if (!arguments.json) {
+    for (const std::string& file : result->files) fmt::print("wrote {}\n", file);
+  }
+  return result->success ? kDone : kRobotFailed;
+}
+
+int run_command(const RunArguments& arguments) {
+  Problems problems;
+  const auto overrides = overrides_of(arguments, problems);
+  const auto pace = pace_of(arguments.pace);
+  if (!pace) problems.add(pace.error());
+  std::optional<SeedRange> seeds;
+  if (!arguments.seeds.empty()) {
+    if (auto range = seeds_of(arguments.seeds)) {
+      seeds = *range;
+    } else {
+      problems.add(range.error());
+    }
+  }
+  if (!problems.empty()) return complain(problems);
+  const auto prepared = prepare(arguments.experiment, overrides, problems);
+  if (!prepared) return complain(problems);
+  auto experience = load_experience(arguments.experience);
+  if (!experience) return complain(experience.error());
+  catch_interrupts();
+  if (seeds) return run_many(*prepared, arguments, *seeds, std::move(*experience));
+  return run_one(*prepared, arguments, *pace, std::move(*experience));
+}
+
+}  // namespace
+
+void add_run(CLI::App& program, int& code) {
+  auto arguments = std::make_shared<RunArguments>();
+  CLI::App* command = program.add_subcommand("run", "Carry out an experiment: once, or once for each seed");
+  command->add_option("experiment", arguments->experiment, "Folder or experiment.toml")->required();
+  command->add_option("--set", arguments->set, "key=value: changes a key of the files the experiment names")
+      ->allow_extra_args(false);
+  auto* seed = command->add_option("--seed", arguments->seed, "Seed of the run; default: the experiment's");
+  command->add_option("--seeds", arguments->seeds, "A..B: every seed of the range, in parallel")->excludes(seed);
+  command->add_option("--threads", arguments->threads, "Threads for --seeds; default: one for each processor")
+      ->check(CLI::Range(1, 256));
+  command->add_option("--pace", arguments->pace, "max, or a multiple of real time: 1x, 0.5x, 20x");
+  command->add_option("--out", arguments->out, "Folder for run files and report; default: runs/NAME");
+  command->add_option("--experience", arguments->experience, "Start with what this file remembers, and add to it");
+  command->add_option("--language", arguments->language, "Of the report: en or es")->check(CLI::IsMember({"en", "es"}));
+  command->add_flag("--json", arguments->json, "Print one JSON object and nothing else");
+  command->add_flag("--no-record", arguments->no_record, "Write no run files");
+  command->add_flag("--no-report", arguments->no_report, "Write no report");
+  command->footer(
+      "Examples:\n"
+      "  ganglion run experiments/nimrod --seed 7 --pace 1x\n"
+      "  ganglion run experiments/nimrod --set controller=experiments/nimrod/controller.listing.toml\n"
+      "  ganglion run experiments/nimrod --set controller.acting.escape.trigger_range_m=0.15 --seeds 1..20\n"
+      "Exit codes: 0 the robot succeeded (with --seeds: all runs were carried out), 1 it failed, 2 bad input.");
+  command->callback([arguments, seed, &code] {
+    arguments->has_seed = seed->count() > 0;
+    code = run_command(*arguments);
+  });
+}
+
+}  // namespace ganglion

@@ -1,0 +1,139 @@
+#include <cstdio>
+
+#include "commands.h"
+#include "ganglion/base/file.h"
+#include "ganglion/base/text.h"
+#include "ganglion/record/catalogue.h"
+#include "ganglion/record/csv.h"
+#include "ganglion/run/replay.h"
+#include "say.h"
+
+namespace ganglion {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  std::string folder = "runs";
+  std::string file, out, sort = "recorded", name;
+  std::vector<std::string> files;
+  bool json = false;
+};
+
+/// The runs of a folder, read anew from the files: the catalogue is only an index.
+Result<std::vector<RunSummary>> runs_of(const Arguments& arguments) {
+  if (!fs::is_directory(arguments.folder)) {
+    return fail_at({arguments.folder}, ErrorCode::NotFound, "there is no such folder; runs are written by ganglion run");
+  }
+  auto catalogue = RunCatalogue::open(arguments.folder);
+  if (!catalogue) return tl::unexpected<Error>(catalogue.error());
+  const auto rebuilt = catalogue->rebuild();
+  if (!rebuilt) return tl::unexpected<Error>(rebuilt.error());
+  for (const std::string& problem : rebuilt->problems) std::fprintf(stderr, "left out: %s\n", problem.c_str());
+  RunFilter filter;
+  filter.sort_by = arguments.sort;
+  filter.descending = arguments.sort == "recorded";
+  filter.limit = 100'000;
+  if (!arguments.name.empty()) filter.name = arguments.name;
+  return catalogue->list(filter);
+}
+
+int list(const Arguments& arguments) {
+  const auto runs = runs_of(arguments);
+  if (!runs) return complain(runs.error());
+  fmt::print("{:<36}{:<26}{:>6}  {:<9}{:<18}{}\n", "file", "experiment", "seed", "outcome", "digest", "reason");
+  for (const RunSummary& run : *runs) {
+    fmt::print("{:<36}{:<26}{:>6}  {:<9}{:<18}{}\n", run.file, run.name, run.seed,
+               !run.finished ? "cut" : run.success ? "success" : "failed", run.digest, run.reason);
+  }
+  return kDone;
+}
+
+int csv(const Arguments& arguments) {
+  const auto runs = runs_of(arguments);
+  if (!runs) return complain(runs.error());
+  const std::string text = to_csv(*runs);
+  if (arguments.out.empty()) return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() ? kDone : kOutputFailed;
+  if (const auto written = write_file(arguments.out, text); !written) {
+    complain(written.error());
+    return kOutputFailed;
+  }
+  return kDone;
+}
+
+int show(const Arguments& arguments) {
+  const auto run = RunFile::read(arguments.file, Recover::Yes);
+  if (!run) return complain(run.error());
+  fmt::print("{}, seed {}, tick {} s\n", run->info.name, run->info.seed, shortest(run->info.tick_s));
+  for (const std::string& damage : run->damages) fmt::print("damaged: {}\n", damage);
+  if (run->outcome) {
+    fmt::print("{}: {}\ndigest {}\n", run->outcome->success ? "success" : "failed", run->outcome->reason,
+               run->outcome->digest);
+    for (const auto& [name, value] : run->outcome->measures) fmt::print("  {:<26}{}\n", name, shortest(value));
+  } else {
+    fmt::print("cut: the run has no outcome\n");
+  }
+  for (const SignalTable& table : run->tables) {
+    fmt::print("{}: {} ticks of {} signals\n", table.topic, table.rows(), table.columns.size());
+  }
+  for (const auto& [topic, messages] : run->json) fmt::print("{}: {} messages\n", topic, messages.messages.size());
+  for (const auto& attachment : run->attachments) fmt::print("holds {} ({} bytes)\n", attachment.name, attachment.bytes.size());
+  return kDone;
+}
+
+int signals(const Arguments& arguments) {
+  const auto run = RunFile::read(arguments.file, Recover::Yes);
+  if (!run) return complain(run.error());
+  for (const SignalTable& table : run->tables) {
+    std::string name = table.topic.substr(1);
+    std::replace(name.begin(), name.end(), '/', '_');
+    const fs::path file = fs::path(arguments.out) / (name + ".csv");
+    if (const auto written = write_csv(table, file); !written) return complain(written.error());
+    fmt::print("wrote {}\n", file.string());
+  }
+  return kDone;
+}
+
+int verify(const Arguments& arguments) {
+  int worst = kDone;
+  for (const std::string& file : arguments.files) {
+    const auto run = RunFile::read(file);  // every checksum
+    if (!run) {
+      complain(run.error());
+      worst = kBadInput;
+      continue;
+    }
+    fmt::print("{}: whole, {}\n", file, run->outcome ? "digest " + run->outcome->digest : "cut before its outcome");
+  }
+  return worst;
+}
+
+}  // namespace
+
+void add_runs(CLI::App& program, int& code) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = program.add_subcommand("runs", "Recorded runs: list, show, export, verify");
+  command->require_subcommand(1);
+  CLI::App* listed = command->add_subcommand("list", "List the runs below a folder");
+  CLI::App* exported = command->add_subcommand("csv", "The same as a table, every measure a column");
+  for (CLI::App* one : {listed, exported}) {
+    one->add_option("folder", arguments->folder, "Default: runs");
+    one->add_option("--sort", arguments->sort, "recorded, file, name, seed, success, digest, or a measure");
+    one->add_option("--name", arguments->name, "Only runs of this experiment");
+  }
+  listed->callback([arguments, &code] { code = list(*arguments); });
+  exported->add_option("--out", arguments->out, "File to write; default: standard output");
+  exported->callback([arguments, &code] { code = csv(*arguments); });
+  CLI::App* shown = command->add_subcommand("show", "What one run file holds");
+  shown->add_option("file", arguments->file, "Run file (.mcap)")->required();
+  shown->callback([arguments, &code] { code = show(*arguments); });
+  CLI::App* signal = command->add_subcommand("signals", "Every robot's signals as CSV");
+  signal->add_option("file", arguments->file, "Run file (.mcap)")->required();
+  signal->add_option("--out", arguments->out, "Folder to write to")->required();
+  signal->callback([arguments, &code] { code = signals(*arguments); });
+  CLI::App* verified = command->add_subcommand("verify", "Check every checksum of run files");
+  verified->add_option("files", arguments->files, "Run files (.mcap)")->required();
+  verified->callback([arguments, &code] { code = verify(*arguments); });
+}
+
+}  // namespace ganglion

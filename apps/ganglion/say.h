@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+
+#include "ganglion/base/result.h"
+
+namespace ganglion {
+
+/// Problems on standard error, one a line. Returns kBadInput.
+int complain(const Problems& problems);
+int complain(const Error& error);
+
+/// A line on standard error that replaces itself while something long goes on; silent where it is no terminal.
+class ProgressLine {
+ public:
+  explicit ProgressLine(bool wanted);
+  ~ProgressLine();
+  /// `share` of the work done in [0, 1]; `rate` is said behind it, e.g. "240x real time".
+  void show(double share, const std::string& rate);
+
+ private:
+  bool on_;
+  double start_s_;
+  double shown_s_ = -1;
+};
+
+/// Seconds of the steady clock, for rates shown to people.
+double wall_s();
+
+}  // namespace ganglion

@@ -1,0 +1,227 @@
+#include "ganglion/acting/avoid_obstacle/avoid_obstacle.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ganglion {
+namespace {
+
+using subsumption::Preset;
+
+enum Input : std::size_t { kLeft, kRight, kEscaping };
+enum Output : std::size_t { kDifference, kSide };
+
+constexpr std::array kPorts = {
+    PortDescriptor{.name = "left",
+                   .unit = "m",
+                   .help = {"Range of the left front sonar", "Distancia del sonar delantero izquierdo"}},
+    PortDescriptor{.name = "right",
+                   .unit = "m",
+                   .help = {"Range of the right front sonar", "Distancia del sonar delantero derecho"}},
+    PortDescriptor{.name = "escaping",
+                   .type = ValueType::Discrete,
+                   .required = false,
+                   .help = {"1 while Escape drives: keeps this behaviour inactive",
+                            "1 mientras Escape conduce: deja inactivo este comportamiento"}},
+    subsumption::kTracksPort,
+    PortDescriptor{.name = "difference",
+                   .role = PortRole::Output,
+                   .unit = "m",
+                   .help = {"Right range less left range", "Distancia derecha menos izquierda"}},
+    PortDescriptor{.name = "side",
+                   .role = PortRole::Output,
+                   .type = ValueType::Discrete,
+                   .help = {"Side it has committed itself to: -1 left, 0 none, 1 right",
+                            "Lado con el que se ha comprometido: -1 izquierda, 0 ninguno, 1 derecha"}},
+};
+
+constexpr std::array kParameters = {
+    subsumption::kPresetParameter,
+    ParameterDescriptor{.name = "trigger_range_m",
+                        .unit = "m",
+                        .preset = 0.40,
+                        .min = 0,
+                        .max = 10,
+                        .help = {"Avoids when a sonar reads this or less", "Evita si un sonar lee esto o menos"}},
+    ParameterDescriptor{.name = "max_range_m",
+                        .unit = "m",
+                        .preset = 3.0,
+                        .min = 0.1,
+                        .max = 100,
+                        .help = {"What a sonar with nothing in range counts as", "Lo que vale un sonar sin eco"},
+                        .ours = true},
+    ParameterDescriptor{.name = "gain_per_m",
+                        .unit = "1/m",
+                        .preset = 0.25,
+                        .min = 0,
+                        .max = 100,
+                        .help = {"Duty of the turn for each metre of difference (3 of 1200 counts per cm)",
+                                 "Ciclo del giro por metro de diferencia (3 de 1200 cuentas por cm)"}},
+    ParameterDescriptor{.name = "straight_m",
+                        .unit = "m",
+                        .preset = 0.10,
+                        .min = 0,
+                        .max = 10,
+                        .help = {"Goes straight on while the difference is below this; listing: 4 cm",
+                                 "Sigue recto mientras la diferencia es menor; listing: 4 cm"}},
+    ParameterDescriptor{.name = "straight_hysteresis_m",
+                        .unit = "m",
+                        .preset = 0.04,
+                        .min = 0,
+                        .max = 10,
+                        .help = {"So much more until it turns again", "Tanto más hasta volver a girar"},
+                        .ours = true},
+    ParameterDescriptor{
+        .name = "forward_duty",
+        .preset = 1.0 / 3,
+        .min = 0,
+        .max = 1,
+        .help = {"Duty straight ahead with all at trigger_range_m", "Ciclo hacia delante con todo a trigger_range_m"}},
+    ParameterDescriptor{.name = "fade_m",
+                        .unit = "m",
+                        .preset = 1.0,
+                        .min = 0.01,
+                        .max = 100,
+                        .help = {"Difference at which it turns on the spot", "Diferencia con que gira en el sitio"},
+                        .ours = true},
+    ParameterDescriptor{.name = "stop_range_m",
+                        .unit = "m",
+                        .preset = 0.12,
+                        .min = 0,
+                        .max = 10,
+                        .help = {"Nearest range at which the speed ahead has fallen to 0",
+                                 "Distancia a la que la velocidad hacia delante llega a 0"},
+                        .ours = true},
+    ParameterDescriptor{.name = "commit_range_m",
+                        .unit = "m",
+                        .preset = 0.25,
+                        .min = 0,
+                        .max = 10,
+                        .help = {"Nearest range at which it commits itself to one side",
+                                 "Distancia a la que se compromete con un lado"},
+                        .ours = true},
+    ParameterDescriptor{
+        .name = "commit_s",
+        .unit = "s",
+        .preset = 2.0,
+        .min = 0,
+        .max = 60,
+        .help = {"Keeps to that side for so long after it is clear", "Mantiene ese lado este tiempo tras quedar libre"},
+        .ours = true},
+    ParameterDescriptor{.name = "min_turn_duty",
+                        .preset = 0.15,
+                        .min = 0,
+                        .max = 1,
+                        .help = {"Least duty of the turn while committed", "Ciclo mínimo del giro comprometido"},
+                        .ours = true},
+    ParameterDescriptor{.name = "one_sonar_share",
+                        .preset = 0.5,
+                        .min = 0,
+                        .max = 1,
+                        .help = {"Share of the speed ahead while one sonar is dead",
+                                 "Parte de la velocidad de avance con un sonar muerto"},
+                        .ours = true},
+};
+
+}  // namespace
+
+Result<AvoidObstacleConfig> AvoidObstacleConfig::from(const Parameters& parameters) {
+  if (auto fixed = subsumption::check_listing(parameters); !fixed) return tl::unexpected(fixed.error());
+  AvoidObstacleConfig config;
+  config.preset = subsumption::preset_of(parameters);
+  config.trigger_range_m = parameters.real("trigger_range_m");
+  config.max_range_m = parameters.real("max_range_m");
+  config.gain_per_m = parameters.real("gain_per_m");
+  config.straight_m = parameters.real("straight_m");
+  config.straight_hysteresis_m = parameters.real("straight_hysteresis_m");
+  config.forward_duty = parameters.real("forward_duty");
+  config.fade_m = parameters.real("fade_m");
+  config.stop_range_m = parameters.real("stop_range_m");
+  config.commit_range_m = parameters.real("commit_range_m");
+  config.commit_s = parameters.real("commit_s");
+  config.min_turn_duty = parameters.real("min_turn_duty");
+  config.one_sonar_share = parameters.real("one_sonar_share");
+  if (!(config.stop_range_m < config.commit_range_m && config.commit_range_m <= config.trigger_range_m)) {
+    return fail(ErrorCode::BadParameter,
+                "must be stop_range_m < commit_range_m <= trigger_range_m, are {}, {}, {}: it could come to a stand",
+                config.stop_range_m, config.commit_range_m, config.trigger_range_m);
+  }
+  return config;
+}
+
+Result<std::unique_ptr<ActingModule>> AvoidObstacle::make(const Parameters& parameters) {
+  const auto config = AvoidObstacleConfig::from(parameters);
+  if (!config) return tl::unexpected(config.error());
+  return std::make_unique<AvoidObstacle>(*config);
+}
+
+Command AvoidObstacle::internal_propagation(const Request&, const Feedback& feedback) noexcept {
+  put(kDifference, std::numeric_limits<double>::quiet_NaN());
+  const Command command = config_.preset == Preset::Listing ? listing(feedback) : recommended(feedback);
+  put(kSide, side_);
+  return command;
+}
+
+Command AvoidObstacle::listing(const Feedback& feedback) const noexcept {
+  const float left_cm = subsumption::listing_range_cm(feedback.value(kLeft));
+  const float right_cm = subsumption::listing_range_cm(feedback.value(kRight));
+  put(kDifference, static_cast<double>(right_cm - left_cm) / 100);
+  const bool escape = left_cm < 10.0F || right_cm < 10.0F || feedback.value(kEscaping) > 0;
+  if (escape || (left_cm > 40.0F && right_cm > 40.0F)) return Command::inactive();
+  return subsumption::listing_pulses(subsumption::listing_m(right_cm, left_cm), 4.0F);
+}
+
+Command AvoidObstacle::recommended(const Feedback& feedback) noexcept {
+  double left_m = subsumption::comparable(feedback.value(kLeft), config_.max_range_m);
+  double right_m = subsumption::comparable(feedback.value(kRight), config_.max_range_m);
+  const bool left_dead = std::isnan(left_m);
+  const bool right_dead = std::isnan(right_m);
+  if (left_dead && right_dead) return Command::inactive();
+  if (left_dead) left_m = config_.trigger_range_m;
+  if (right_dead) right_m = config_.trigger_range_m;
+  const double difference_m = right_m - left_m;
+  put(kDifference, difference_m);
+  // The stand-in of a dead sonar lies on the threshold: only what is really read may trigger.
+  const double nearest_m = left_dead ? right_m : right_dead ? left_m : std::min(left_m, right_m);
+  const bool near = nearest_m <= config_.trigger_range_m && !(feedback.value(kEscaping) > 0);
+  commit(near, near && nearest_m <= config_.commit_range_m, difference_m, feedback.tick.time_s);
+  if (!near) {
+    straight_ = false;
+    return Command::inactive();
+  }
+  return turn_and_go(nearest_m, difference_m, left_dead || right_dead ? config_.one_sonar_share : 1);
+}
+
+void AvoidObstacle::commit(bool near, bool too_near, double difference_m, double now_s) noexcept {
+  if (near) {
+    if (side_ == 0 && too_near) side_ = difference_m < 0 ? -1 : 1;
+    committed_until_s_ = now_s + config_.commit_s;
+  } else if (now_s >= committed_until_s_) {
+    side_ = 0;
+  }
+}
+
+Command AvoidObstacle::turn_and_go(double nearest_m, double difference_m, double share) noexcept {
+  const double apart_m = std::fabs(difference_m);
+  const double edge_m = config_.straight_m + (straight_ ? config_.straight_hysteresis_m : 0);
+  straight_ = side_ == 0 && apart_m < edge_m;
+  double clockwise = straight_ ? 0 : std::clamp(config_.gain_per_m * difference_m, -1.0, 1.0);
+  if (side_ != 0) clockwise = side_ * std::max(side_ * clockwise, config_.min_turn_duty);
+  const double room = (nearest_m - config_.stop_range_m) / (config_.trigger_range_m - config_.stop_range_m);
+  const double balance = straight_ ? 1 : 1 - apart_m / config_.fade_m;
+  const double forward = config_.forward_duty * std::clamp(room, 0.0, 1.0) * std::clamp(balance, 0.0, 1.0);
+  return subsumption::tracks(share * forward, clockwise);
+}
+
+extern constinit const ActingModuleKind avoid_obstacle_kind{
+    .descriptor = {.component_class = ComponentClass::Acting,
+                   .name = "AvoidObstacle",
+                   .summary = {"Turns towards the freer side while something is near",
+                               "Gira hacia el lado más libre mientras algo está cerca"},
+                   .ports = kPorts,
+                   .parameters = kParameters,
+                   .source = "Alonso, robot Nimrod, sections 3 and 5 (EVITAR)"},
+    .make = AvoidObstacle::make};
+
+}  // namespace ganglion

@@ -1,0 +1,124 @@
+#include "ganglion/descriptor/kind_page.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "ganglion/descriptor/json_schema.h"
+#include "ganglion/descriptor/kinds_json.h"
+
+namespace ganglion {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array<std::string_view, 2> kTracks = {"left", "right"};
+constexpr std::array<std::string_view, 2> kSides = {"left", "freer"};
+constexpr std::array<double, 2> kGains = {1, 0.5};
+constexpr std::array kPorts = {
+    PortDescriptor{.name = "ahead", .unit = "m", .help = {"Range ahead", "Distancia al frente"}},
+    PortDescriptor{.name = "others", .unit = "*", .size = 0, .required = false, .many = true},
+    PortDescriptor{.name = "drive", .role = PortRole::Command, .elements = kTracks}};
+constexpr std::array kParameters = {
+    ParameterDescriptor{.name = "trigger_range_m",
+                        .unit = "m",
+                        .preset = 0.1,
+                        .min = 0,
+                        .max = 3,
+                        .help = {"Acts nearer than this | at once", "Actúa más cerca"},
+                        .ours = true},
+    ParameterDescriptor{.name = "bursts", .type = ParameterType::Integer, .preset = 3, .min = 1},
+    ParameterDescriptor{.name = "loud", .type = ParameterType::Boolean, .preset = 1},
+    ParameterDescriptor{.name = "side", .type = ParameterType::Choice, .preset = 1, .choices = kSides},
+    ParameterDescriptor{.name = "label", .type = ParameterType::Word, .preset_word = "a"},
+    ParameterDescriptor{.name = "gains", .type = ParameterType::Reals, .max = 9, .preset_reals = kGains, .count = 2}};
+constexpr Descriptor kKind = {.name = "BackOff",
+                              .paper_name = "AmBk",
+                              .summary = {"Backs off from what is near", "Retrocede ante lo cercano"},
+                              .ports = kPorts,
+                              .parameters = kParameters,
+                              .source = "A paper, section 2"};
+
+TEST(KindPage, ShowsPortsAndParametersInEnglish) {
+  const std::string page = kind_page(kKind, Language::English);
+  EXPECT_TRUE(page.starts_with("# BackOff (AmBk)\n\nActing module. Backs off from what is near\n")) << page;
+  for (const char* line : {
+           "| port | role | unit | type | values | required | meaning |\n| --- | --- | --- | --- | --- | --- | --- |\n",
+           "| `ahead` | feedback | m | real | 1 | yes | Range ahead |\n",
+           "| `others` | feedback | any | real | as wired, many wires | no |  |\n",
+           "| `drive` | command |  | real | `left`, `right` |  |\n",
+           "| `active` | output |  | discrete | 1 | 1 while the module commands",
+           "| `trigger_range_m` | m | 0 .. 3 | 0.1 | Acts nearer than this \\| at once *Ours.* |\n",
+           "| `bursts` |  | >= 1 | 3 |  |\n",
+           "| `loud` |  | `true`, `false` | `true` |  |\n",
+           "| `side` |  | `left`, `freer` | `freer` |  |\n",
+           "| `label` |  | text | `\"a\"` |  |\n",
+           "| `gains` |  | 2: <= 9 | [1, 0.5] |  |\n",
+           "\n*Ours*: the source gives no value",
+           "\nSource: A paper, section 2\n",
+       }) {
+    EXPECT_NE(page.find(line), std::string::npos) << line << "is not in\n" << page;
+  }
+}
+
+TEST(KindPage, SpeaksSpanish) {
+  const std::string page = kind_page(kKind, Language::Spanish);
+  for (const char* line :
+       {"Módulo actuador. Retrocede ante lo cercano\n", "## Entradas\n", "## Salidas\n", "## Parámetros\n",
+        "| `ahead` | realimentación | m | real | 1 | sí | Distancia al frente |\n",
+        "| `trigger_range_m` | m | 0 .. 3 | 0.1 | Actúa más cerca *Nuestro.* |\n", "Fuente: A paper, section 2\n"}) {
+    EXPECT_NE(page.find(line), std::string::npos) << line << "is not in\n" << page;
+  }
+}
+
+TEST(KindsJson, HoldsWhatPaletteAndFormsNeed) {
+  const std::array<const Descriptor*, 1> kinds = {&kKind};
+  const Json list = Json::parse(kinds_json(kinds));
+  ASSERT_EQ(list.size(), 1u);
+  const Json& kind = list[0];
+  EXPECT_EQ(kind["class"], "acting");
+  EXPECT_EQ(kind["name"], "BackOff");
+  EXPECT_EQ(kind["paper_name"], "AmBk");
+  EXPECT_EQ(kind["summary"]["es"], "Retrocede ante lo cercano");
+  ASSERT_EQ(kind["ports"].size(), 3 + common_outputs(ComponentClass::Acting).size());
+  EXPECT_EQ(kind["ports"][0], Json::parse(R"({"name": "ahead", "direction": "in", "role": "feedback", "unit": "m",
+      "type": "real", "size": 1, "elements": [], "required": true, "many": false, "common": false,
+      "help": {"en": "Range ahead", "es": "Distancia al frente"}})"));
+  EXPECT_EQ(kind["ports"][2]["elements"], Json::parse(R"(["left", "right"])"));
+  EXPECT_EQ(kind["ports"][2]["size"], 2);
+  EXPECT_EQ(kind["ports"][2]["direction"], "out");
+  EXPECT_EQ(kind["ports"][3]["name"], "active");
+  EXPECT_EQ(kind["ports"][3]["common"], true);
+  ASSERT_EQ(kind["parameters"].size(), 6u);
+  EXPECT_EQ(kind["parameters"][0], Json::parse(R"({"name": "trigger_range_m", "type": "real", "unit": "m",
+      "default": 0.1, "min": 0.0, "max": 3.0, "ours": true,
+      "help": {"en": "Acts nearer than this | at once", "es": "Actúa más cerca"}})"));
+  EXPECT_FALSE(kind["parameters"][1].contains("max"));
+  EXPECT_EQ(kind["parameters"][3]["default"], "freer");
+  EXPECT_EQ(kind["parameters"][5]["max"], 9);
+  EXPECT_EQ(kind["parameters"][5]["count"], 2);
+}
+
+TEST(ParameterSchema, SaysTypeLimitsAndDefault) {
+  const auto schema = [](int index) { return parameter_schema(kParameters[static_cast<std::size_t>(index)]); };
+  EXPECT_EQ(schema(0), Json::parse(R"({"type": "number", "minimum": 0.0, "maximum": 3.0, "default": 0.1,
+      "description": "Acts nearer than this | at once [m] Ours: not given by the source."})"));
+  EXPECT_EQ(schema(1).dump(), R"({"type":"integer","minimum":1,"default":3,"description":""})");
+  EXPECT_EQ(schema(2)["default"], true);
+  EXPECT_EQ(schema(3)["enum"], Json::parse(R"(["left", "freer"])"));
+  EXPECT_EQ(schema(4)["type"], "string");
+  EXPECT_EQ(schema(5)["items"]["maximum"], 9);
+  EXPECT_EQ(schema(5)["minItems"], 2);
+}
+
+TEST(KindSchema, TakesBothNamesAndNoUnknownKey) {
+  const Json schema = kind_schema(kKind);
+  EXPECT_EQ(schema["properties"]["kind"]["enum"], Json::parse(R"(["BackOff", "AmBk"])"));
+  EXPECT_EQ(schema["required"], Json::parse(R"(["kind"])"));
+  EXPECT_EQ(schema["additionalProperties"], false);
+  EXPECT_EQ(schema["properties"].size(), 7u);
+}
+
+}  // namespace
+}  // namespace ganglion

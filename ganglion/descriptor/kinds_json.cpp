@@ -1,0 +1,66 @@
+#include "ganglion/descriptor/kinds_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "ganglion/descriptor/json_schema.h"
+
+namespace ganglion {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const Text& text) { return {{"en", text.en}, {"es", text.es}}; }
+
+Json json_of(const PortDescriptor& port, ComponentClass component_class, bool common) {
+  return {{"name", port.name},
+          {"direction", is_input(component_class, port.role) ? "in" : "out"},
+          {"role", name_of(port.role)},
+          {"unit", port.unit},
+          {"type", name_of(port.type)},
+          {"size", port.elements.empty() ? port.size : static_cast<int>(port.elements.size())},
+          {"elements", port.elements},
+          {"required", is_input(component_class, port.role) && port.required},
+          {"many", port.many},
+          {"common", common},
+          {"help", json_of(port.help)}};
+}
+
+Json json_of(const ParameterDescriptor& parameter) {
+  Json json = {{"name", parameter.name}, {"type", name_of(parameter.type)}, {"unit", parameter.unit}};
+  const Json schema = parameter_schema(parameter);
+  json["default"] = schema["default"];
+  const Json& limits = parameter.type == ParameterType::Reals ? schema["items"] : schema;
+  if (limits.contains("minimum")) json["min"] = limits["minimum"];
+  if (limits.contains("maximum")) json["max"] = limits["maximum"];
+  if (parameter.type == ParameterType::Choice) json["choices"] = parameter.choices;
+  if (parameter.type == ParameterType::Reals) json["count"] = parameter.count;
+  json["ours"] = parameter.ours;
+  json["help"] = json_of(parameter.help);
+  return json;
+}
+
+Json json_of(const Descriptor& kind) {
+  Json json = {{"class", name_of(kind.component_class)},
+               {"name", kind.name},
+               {"paper_name", kind.paper_name},
+               {"summary", json_of(kind.summary)},
+               {"source", kind.source},
+               {"ports", Json::array()},
+               {"parameters", Json::array()}};
+  for (const PortDescriptor& port : kind.ports) json["ports"].push_back(json_of(port, kind.component_class, false));
+  for (const PortDescriptor& port : common_outputs(kind.component_class)) {
+    json["ports"].push_back(json_of(port, kind.component_class, true));
+  }
+  for (const ParameterDescriptor& parameter : kind.parameters) json["parameters"].push_back(json_of(parameter));
+  return json;
+}
+
+}  // namespace
+
+std::string kinds_json(std::span<const Descriptor* const> kinds) {
+  Json list = Json::array();
+  for (const Descriptor* kind : kinds) list.push_back(json_of(*kind));
+  return list.dump(2) + "\n";
+}
+
+}  // namespace ganglion

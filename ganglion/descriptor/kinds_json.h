@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "ganglion/descriptor/descriptor.h"
+
+namespace ganglion {
+
+/// What the studio's palette and forms and `ganglion kinds --json` need of kinds: a JSON list, in the order given. Of
+/// each: class, name, paper_name, summary and help in both languages, source; ports with role, direction, unit, type,
+/// size, elements, required, many, and `common` where every component of the class has them; parameters with type,
+/// unit, default, min and max (absent = without limit), choices, count, ours.
+std::string kinds_json(std::span<const Descriptor* const> kinds);
+
+}  // namespace ganglion

@@ -1,0 +1,230 @@
+#include "ganglion/graph/controller.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ganglion {
+namespace {
+
+/// A robot that hears nothing stops by itself after this time, or one and a half ticks if those are longer.
+constexpr double kDefaultTtl_s = 0.3;
+
+}  // namespace
+
+void Controller::tick(const SenseFrame& frame, double step_s, ActFrame& act) noexcept {
+  const Tick tick{frame.tick, frame.time_s, step_s};
+  const bool priced = frame.cost && std::isfinite(*frame.cost);
+  const std::optional<double> cost = priced ? frame.cost : std::nullopt;
+  sense(frame);
+  run_sensing(tick);
+  for (const int index : schedule_.upward) {
+    Part& part = parts_[static_cast<std::size_t>(index)];
+    gather(part);
+    part.acting->settle(tick, cost);
+  }
+  run_goals(tick);
+  run_acting(tick);
+  act.tick = frame.tick;
+  send(act, step_s);
+  grant();
+  close(tick);
+}
+
+void Controller::sense(const SenseFrame& frame) noexcept {
+  Block& block = *block_;
+  for (Part& part : parts_) {
+    if (part.component_class != ComponentClass::Sensation) continue;
+    const std::size_t count = part.signals.count - 1;  // the last one is the age
+    std::copy_n(frame.values.begin() + static_cast<std::ptrdiff_t>(part.frame_offset), count,
+                block.now.begin() + static_cast<std::ptrdiff_t>(part.signals.first));
+    const double age_s = frame.ages_s[part.channel];
+    block.now[part.signals.first + count] = age_s;
+    block.ages[part.out_ages.first] = age_s;
+    block.ages[part.out_ages.first + 1] = 0;
+  }
+}
+
+void Controller::gather(Part& part) noexcept {
+  Block& block = *block_;
+  for (const Copy& copy : part.gather) {
+    const std::vector<double>& from = copy.previous ? block.before : block.now;
+    const std::vector<double>& ages = copy.previous ? block.ages_before : block.ages;
+    std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(copy.from), copy.count,
+                block.now.begin() + static_cast<std::ptrdiff_t>(copy.to));
+    block.ages[copy.age_to] = ages[copy.age_from];
+  }
+}
+
+void Controller::run_sensing(const Tick& tick) noexcept {
+  Block& block = *block_;
+  for (const int index : schedule_.sensing) {
+    Part& part = parts_[static_cast<std::size_t>(index)];
+    gather(part);
+    part.sensing->cycle(tick);
+    double oldest_s = 0;  // a percept is as old as the oldest reading it was made of
+    for (std::size_t i = 0; i < part.in_ages.count; ++i)
+      oldest_s = std::max(oldest_s, block.ages[part.in_ages.first + i]);
+    std::fill_n(block.ages.begin() + static_cast<std::ptrdiff_t>(part.out_ages.first), part.out_ages.count, oldest_s);
+  }
+}
+
+void Controller::run_goals(const Tick& tick) noexcept {
+  for (const int index : schedule_.goals) gather(parts_[static_cast<std::size_t>(index)]);
+  for (Part& part : parts_) {
+    if (part.arbiter) part.arbiter->decide(tick, *part.request);
+  }
+}
+
+void Controller::run_acting(const Tick& tick) noexcept {
+  for (const int index : schedule_.acting) {
+    Part& part = parts_[static_cast<std::size_t>(index)];
+    gather(part);
+    if (part.acting) {
+      if (!part.acting->waits()) part.acting->cycle(tick);
+    } else {
+      coordinate(part, tick);
+    }
+    publish(part);
+  }
+}
+
+void Controller::coordinate(Part& part, const Tick& tick) noexcept {
+  part.command = part.coordinator->coordinate(Feedback{tick, part.views, part.granted}, part.candidates, part.shares);
+  if (part.below == nullptr) return;
+  if (part.command.kind != CommandKind::Act) {
+    part.below->clear();
+    if (part.command.kind == CommandKind::Withdraw) part.below->withdraw(part.command.reason);
+  } else if (part.below->status != RequestStatus::Pending ||
+             !std::equal(part.command.span().begin(), part.command.span().end(), part.below->span().begin(),
+                         part.below->span().end())) {
+    part.below->ask(part.command.span());
+  }
+}
+
+const Command& Controller::command_of(const Part& part) const noexcept {
+  return part.acting ? part.acting->command() : part.command;
+}
+
+/// Signals that every acting module and coordinator has: what it is up to and what it commands.
+void Controller::publish(Part& part) noexcept {
+  Block& block = *block_;
+  const Command& command = command_of(part);
+  if (part.acting) {
+    block.now[part.common] = command.kind == CommandKind::Act ? 1 : 0;
+    block.now[part.common + 1] = part.request ? static_cast<double>(part.request->status) : 0;
+    block.now[part.common + 2] = part.request ? static_cast<double>(part.request->reason.code) : 0;
+  }
+  for (std::size_t i = 0; i < part.command_signals.count; ++i) {
+    const bool given = command.kind == CommandKind::Act && i < static_cast<std::size_t>(command.size);
+    block.now[part.command_signals.first + i] = given ? command.values[i] : 0;
+  }
+  std::fill_n(block.ages.begin() + static_cast<std::ptrdiff_t>(part.out_ages.first), part.out_ages.count, 0.0);
+}
+
+/// What becomes of one command channel. Only commands that are numbers, as many as there should be, are carried out;
+/// adding zero makes -0 into 0, so that a link, which does not tell them apart, gives the same run.
+CommandOrigin Controller::write(const ChannelOut& channel, const Command& command, std::span<double> values) noexcept {
+  bool valid = command.kind == CommandKind::Act && command.span().size() == channel.elements.size();
+  for (const double value : command.span()) valid = valid && std::isfinite(value);
+  for (std::size_t i = 0; i < channel.elements.size(); ++i) {
+    const CommandElement& element = channel.elements[i];
+    values[i] = valid ? std::clamp(command.values[i], element.min, element.max) + 0.0 : element.safe;
+  }
+  if (valid) return CommandOrigin::Commanded;
+  if (command.kind == CommandKind::Act) return CommandOrigin::Refused;
+  return command.kind == CommandKind::Withdraw ? CommandOrigin::Withdrawn : CommandOrigin::Safe;
+}
+
+void Controller::send(ActFrame& act, double step_s) noexcept {
+  const Command nothing;
+  const double longest_s = std::max(kDefaultTtl_s, 1.5 * step_s);
+  for (Part& part : parts_) part.granted = true;
+  for (std::size_t c = 0; c < channels_.size(); ++c) {
+    const ChannelOut& channel = channels_[c];
+    Part* writer = channel.writer >= 0 ? &parts_[static_cast<std::size_t>(channel.writer)] : nullptr;
+    const Command& command = writer != nullptr ? command_of(*writer) : nothing;
+    act.origins[c] = write(channel, command, std::span(act.values).subspan(channel.offset, channel.elements.size()));
+    act.ttl_s[c] = command.ttl_s >= 0 ? std::min(command.ttl_s, longest_s) : longest_s;
+    const bool withdrawn = act.origins[c] == CommandOrigin::Withdrawn;
+    act.reasons[c] = withdrawn ? static_cast<std::uint16_t>(command.reason.code) : std::uint16_t{0};
+    if (writer != nullptr) writer->granted = act.origins[c] == CommandOrigin::Commanded;
+  }
+  std::copy(act.values.begin(), act.values.end(),
+            block_->now.begin() + static_cast<std::ptrdiff_t>(command_frame_.first));
+}
+
+/// Consumers come after their candidates in the schedule, so backwards each knows whether it was itself carried out;
+/// send() has told those that write to the application.
+void Controller::grant() noexcept {
+  for (auto index = schedule_.acting.rbegin(); index != schedule_.acting.rend(); ++index) {
+    Part& part = parts_[static_cast<std::size_t>(*index)];
+    if (part.acting) part.acting->grant(part.granted);
+    for (std::size_t i = 0; i < part.candidate_parts.size(); ++i) {
+      parts_[static_cast<std::size_t>(part.candidate_parts[i])].granted = part.granted && part.shares[i] > 0;
+    }
+  }
+}
+
+void Controller::close(const Tick& tick) noexcept {
+  Block& block = *block_;
+  const std::span<const double> values(block.now);
+  for (const Part& part : parts_)
+    digest_.add(part.digest, tick.number, values.subspan(part.signals.first, part.signals.count));
+  digest_.add(command_digest_, tick.number, values.subspan(command_frame_.first, command_frame_.count));
+  std::copy_n(block.now.begin(), signals_.size(), block.before.begin());
+  for (std::size_t i = 0; i < block.ages.size(); ++i) block.ages_before[i] = block.ages[i] + tick.step_s;
+}
+
+const Component* Controller::component(int index) const noexcept {
+  const Part& part = parts_[static_cast<std::size_t>(index)];
+  if (part.sensing) return part.sensing.get();
+  if (part.goal) return part.goal.get();
+  if (part.acting) return part.acting.get();
+  return part.coordinator.get();
+}
+
+void Controller::grow() {
+  for (Part& part : parts_) {
+    if (part.sensing) part.sensing->grow();
+    if (part.goal) part.goal->grow();
+    if (part.acting) part.acting->grow();
+    if (part.coordinator) part.coordinator->grow();
+  }
+}
+
+std::vector<ModuleExperience> Controller::experience() const {
+  std::vector<ModuleExperience> result;
+  for (int i = 0; i < components(); ++i) {
+    const Component* one = component(i);
+    if (one == nullptr || one->experience_version() == 0) continue;
+    ModuleExperience learned{parts_[static_cast<std::size_t>(i)].id,
+                             parts_[static_cast<std::size_t>(i)].kind,
+                             one->experience_version(),
+                             {}};
+    one->save(learned.parts);
+    result.push_back(std::move(learned));
+  }
+  return result;
+}
+
+void Controller::load(const std::vector<ModuleExperience>& learned, Problems& problems) {
+  for (const ModuleExperience& one : learned) {
+    bool claimed = false;
+    for (int i = 0; i < components(); ++i) {
+      const Part& part = parts_[static_cast<std::size_t>(i)];
+      if (part.id != one.component || part.kind != one.kind) continue;
+      claimed = true;
+      auto* component = const_cast<Component*>(this->component(i));
+      if (auto loaded = component->load(one.version, one.parts); !loaded) {
+        problems.add({}, loaded.error().code, "{}: {}", one.component, loaded.error().message);
+      }
+    }
+    if (!claimed) {
+      problems.add({}, ErrorCode::UnknownKey, "experience of \"{}\" ({}) belongs to no component of this controller",
+                   one.component, one.kind);
+    }
+  }
+  grow();
+}
+
+}  // namespace ganglion

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ganglion/base/hash.h"
+
+namespace ganglion {
+
+/// A fingerprint of every deterministic signal of a run: equal bits give equal digests, one bit more does not. Kept for
+/// each component apart, so that an unrelated component added to a controller leaves the others' digests as they were.
+class Digest {
+ public:
+  /// A component takes part under its name; returns its index for add().
+  std::size_t join(std::uint32_t robot, std::string_view component);
+  /// Values of one component at one tick, in a fixed order. Allocates nothing.
+  void add(std::size_t component, std::uint32_t tick, std::span<const double> values) noexcept;
+  std::uint64_t of(std::size_t component) const noexcept { return parts_[component].state; }
+  /// Independent of the order in which components joined.
+  std::uint64_t total() const noexcept;
+
+ private:
+  struct Part {
+    std::uint64_t name;
+    std::uint64_t state;
+  };
+  std::vector<Part> parts_;
+};
+
+/// 16 hexadecimal digits.
+std::string hex(std::uint64_t value);
+
+}  // namespace ganglion

@@ -1,0 +1,98 @@
+#include "ganglion/graph/goal_arbiter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ganglion {
+namespace {
+
+constexpr double kChallenge = 0.1;
+constexpr int kMostDoublings = 8;
+
+bool same(std::span<const double> a, std::span<const double> b) noexcept {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end());
+}
+
+/// A goal whose drive or request is not a number has lost its reading: it asks for nothing.
+bool is_number(const Bid& bid) noexcept {
+  return std::isfinite(bid.intensity) &&
+         std::all_of(bid.values.begin(), bid.values.end(), [](double value) { return std::isfinite(value); });
+}
+
+}  // namespace
+
+GoalArbiter::GoalArbiter(std::vector<GlobalGoal*> goals, bool preemption) : preemption_(preemption) {
+  for (GlobalGoal* goal : goals) members_.push_back({goal});
+}
+
+void GoalArbiter::conclude(const Tick& tick, const RequestSlot& slot) noexcept {
+  Member& member = members_[static_cast<std::size_t>(holder_)];
+  open_ = false;
+  if (slot.status == RequestStatus::Withdrawn) {
+    member.withdrawals = std::min(member.withdrawals + 1, kMostDoublings);
+    member.rests_until = tick.number + (1u << member.withdrawals);
+    std::copy_n(slot.values.begin(), slot.size, member.refused.begin());
+    member.refused_size = slot.size;
+  } else {
+    member.withdrawals = 0;
+  }
+  member.goal->concluded(slot.status, slot.reason);
+}
+
+bool GoalArbiter::wants(const Member& member, const Tick& tick) const noexcept {
+  if (member.bid.values.empty()) return false;
+  if (tick.number >= member.rests_until) return true;
+  const std::span<const double> refused(member.refused.data(), static_cast<std::size_t>(member.refused_size));
+  return member.bid.replaces && !same(member.bid.values, refused);
+}
+
+int GoalArbiter::strongest(const Tick& tick) const noexcept {
+  int best = -1;
+  auto strength = [&](int index) {
+    return members_[static_cast<std::size_t>(index)].bid.intensity + (index == holder_ ? kChallenge : 0);
+  };
+  for (int i = 0; i < static_cast<int>(members_.size()); ++i) {
+    const Member& member = members_[static_cast<std::size_t>(i)];
+    if (!wants(member, tick)) continue;
+    if (best < 0) {
+      best = i;
+      continue;
+    }
+    const int best_class = members_[static_cast<std::size_t>(best)].bid.priority_class;
+    const bool higher = member.bid.priority_class > best_class;
+    const bool stronger = member.bid.priority_class == best_class && strength(i) > strength(best);
+    if (higher || stronger) best = i;
+  }
+  return best;
+}
+
+int GoalArbiter::successor(const Tick& tick, const RequestSlot& slot) noexcept {
+  const Bid& own = members_[static_cast<std::size_t>(holder_)].bid;
+  if (!own.values.empty()) held_class_ = own.priority_class;  // silent, it keeps the class it asked in
+  const int best = strongest(tick);
+  const bool higher = best >= 0 && members_[static_cast<std::size_t>(best)].bid.priority_class > held_class_;
+  if (preemption_ && higher && best != holder_) return best;
+  return own.replaces && !own.values.empty() && !same(own.values, slot.span()) ? holder_ : -1;
+}
+
+void GoalArbiter::decide(const Tick& tick, RequestSlot& slot) noexcept {
+  const bool ended = slot.status == RequestStatus::Satisfied || slot.status == RequestStatus::Withdrawn;
+  if (open_ && ended) conclude(tick, slot);
+  for (Member& member : members_) {
+    member.bid = member.goal->bid(tick);
+    if (!is_number(member.bid)) member.bid = {};
+  }
+  const int next = open_ ? successor(tick, slot) : strongest(tick);
+  if (next < 0) return;
+  if (open_ && next != holder_) {
+    const Reason reason{ReasonCode::Preempted, static_cast<double>(holder_), static_cast<double>(next)};
+    members_[static_cast<std::size_t>(holder_)].goal->concluded(RequestStatus::Withdrawn, reason);
+  }
+  const Bid& bid = members_[static_cast<std::size_t>(next)].bid;
+  holder_ = next;
+  held_class_ = bid.priority_class;
+  open_ = true;
+  slot.ask(bid.values);
+}
+
+}  // namespace ganglion

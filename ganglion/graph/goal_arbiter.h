@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "ganglion/module/global_goal.h"
+
+namespace ganglion {
+
+/// Decides which of its goals holds the request of one acting module.
+///
+/// A request is latched until it is satisfied or withdrawn. Free again, the highest class wins, then the strongest; who
+/// held it last keeps it unless a challenger is 0.1 stronger. A pending request gives way only to a goal of a higher
+/// class (where pre-emption is on) or to its own holder when that may replace it (a trainer). After k withdrawals in a
+/// row a goal keeps still for 2^k ticks, k <= 8; a trainer's new request does not wait. A bid that is not a number is
+/// no bid.
+///
+/// Source    ours; the papers name only the goal "App".
+class GoalArbiter {
+ public:
+  GoalArbiter(std::vector<GlobalGoal*> goals, bool preemption);
+  void decide(const Tick& tick, RequestSlot& slot) noexcept;
+  /// Index of the goal whose request is under way or was last; -1 = none yet.
+  int holder() const noexcept { return holder_; }
+
+ private:
+  struct Member {
+    GlobalGoal* goal;
+    int withdrawals = 0;
+    std::uint32_t rests_until = 0;
+    std::array<double, kMaxCommandValues> refused{};  ///< What was last withdrawn.
+    int refused_size = 0;
+    Bid bid{};
+  };
+  void conclude(const Tick& tick, const RequestSlot& slot) noexcept;
+  /// Who takes over from a pending request: a higher class, or its holder with other values; -1 = nobody.
+  int successor(const Tick& tick, const RequestSlot& slot) noexcept;
+  int strongest(const Tick& tick) const noexcept;
+  bool wants(const Member& member, const Tick& tick) const noexcept;
+
+  std::vector<Member> members_;
+  bool preemption_;
+  int holder_ = -1;
+  int held_class_ = 0;
+  bool open_ = false;  ///< The holder's request has not been concluded yet.
+};
+
+}  // namespace ganglion

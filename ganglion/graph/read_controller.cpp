@@ -1,0 +1,240 @@
+#include <algorithm>
+#include <array>
+
+#include "ganglion/base/text.h"
+#include "ganglion/config/table.h"
+#include "ganglion/graph/model.h"
+
+namespace ganglion {
+namespace {
+
+using config::Table;
+
+constexpr std::array kClasses = {ComponentClass::Sensation, ComponentClass::Sensing, ComponentClass::Goal,
+                                 ComponentClass::Acting, ComponentClass::Coordinator};
+
+bool good_id(std::string_view id) noexcept {
+  auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
+  return !id.empty() && id.size() <= 64 && letter(id.front()) &&
+         std::all_of(id.begin(), id.end(), [&](char c) { return letter(c) || (c >= '0' && c <= '9'); });
+}
+
+void read_id(Table& table, ComponentModel& component) {
+  component.id = table.text("id", "");
+  component.place = table.place("id");
+  if (!table.has("id")) {
+    table.problem("id", ErrorCode::MissingKey, "id is missing; write id = \"a_name\"");
+  } else if (!good_id(component.id)) {
+    table.problem("id", ErrorCode::BadParameter,
+                  "\"{}\" is no id: write a letter, then letters, digits or _, at most 64 in all", component.id);
+  }
+  table.set_context(component.id);
+}
+
+/// "acting module", as in "no kind of acting module".
+std::string noun_of(ComponentClass component_class) {
+  const bool module = component_class == ComponentClass::Sensing || component_class == ComponentClass::Acting;
+  return fmt::format("{}{}", name_of(component_class), module ? " module" : "");
+}
+
+const Descriptor* read_kind(Table& table, ComponentClass component_class, const KindList& kinds) {
+  const std::string name = table.text("kind", "");
+  const Descriptor* descriptor = find_descriptor(kinds, component_class, name);
+  if (descriptor != nullptr) return descriptor;
+  for (const ComponentClass other : kClasses) {
+    if (find_descriptor(kinds, other, name) == nullptr) continue;
+    table.problem("kind", ErrorCode::UnknownKey, "\"{}\" is a kind of {}; write it under [[{}]], not [[{}]]", name,
+                  noun_of(other), name_of(other), name_of(component_class));
+    return nullptr;
+  }
+  std::vector<std::string> names;
+  for (const Descriptor* known : descriptors_of(kinds, component_class)) names.emplace_back(known->name);
+  if (!table.has("kind")) {
+    table.problem("kind", ErrorCode::MissingKey, "kind is missing{}", suggestion("", names));
+  } else if (table.value("kind")->string() != nullptr) {
+    table.problem("kind", ErrorCode::UnknownKey, "\"{}\" is no kind of {}{}", name, noun_of(component_class),
+                  suggestion(name, names));
+  }
+  return nullptr;
+}
+
+std::vector<std::string> input_names(const Descriptor& descriptor) {
+  std::vector<std::string> names;
+  for (const PortDescriptor& port : descriptor.ports) {
+    if (is_input(descriptor.component_class, port.role)) names.emplace_back(port.name);
+  }
+  return names;
+}
+
+std::vector<Source> read_sources(Table& in, const std::string& port) {
+  std::vector<Source> sources;
+  const config::Value* value = in.value(port);
+  const config::Array* list = value->array();
+  const std::vector<std::string> texts = in.texts(port);
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    Source source;
+    source.text = texts[i];
+    source.place = list != nullptr && i < list->size() ? (*list)[i].place() : value->place();
+    sources.push_back(std::move(source));
+  }
+  return sources;
+}
+
+/// Reads the `in` table of one component.
+class WireReader {
+ public:
+  WireReader(Table& table, ComponentModel& component)
+      : table_(table), component_(component), descriptor_(*component.descriptor), names_(input_names(descriptor_)) {}
+
+  void run() {
+    misplaced();
+    Table in = table_.table("in");
+    if (table_.has("in") && table_.value("in")->table() == nullptr) return;
+    in.set_context(component_.id);
+    for (const std::string& name : in.keys()) {
+      in.known(name);
+      if (!in.problems().full()) read(in, name);
+    }
+    for (const PortDescriptor& port : descriptor_.ports) {
+      if (!port.required || !is_input(descriptor_.component_class, port.role) || given(port.name)) continue;
+      table_.problem("id", ErrorCode::BadWire, "input \"{}\" is not wired; write in.{} = \"...\"", port.name,
+                     port.name);
+    }
+  }
+
+ private:
+  /// Inputs written without `in.` are told apart from unknown keys.
+  void misplaced() {
+    for (const std::string& name : names_) {
+      if (!table_.has(name) || descriptor_.parameter(name) != nullptr) continue;
+      table_.known(name);
+      table_.problem(name, ErrorCode::UnknownKey, "\"{}\" is an input; write in.{} = \"...\"", name, name);
+      given_.push_back(name);
+    }
+  }
+
+  void read(Table& in, const std::string& name) {
+    const PortDescriptor* port = descriptor_.port(name);
+    if (port == nullptr || !is_input(descriptor_.component_class, port->role)) {
+      in.problem(name, ErrorCode::UnknownKey, "{} has no input \"{}\"{}", descriptor_.name, name,
+                 names_.empty() ? "; it takes none" : suggestion(name, names_));
+      if (auto meant = nearest(name, names_)) given_.push_back(std::move(*meant));
+      return;
+    }
+    Wire wire;
+    wire.port = static_cast<int>(port - descriptor_.ports.data());
+    wire.place = in.place(name);
+    wire.sources = read_sources(in, name);
+    const config::Array* list = in.value(name)->array();
+    if (list == nullptr || !list->empty()) given_.push_back(name);
+    if (!port->many && port->role != PortRole::Request && wire.sources.size() > 1) {
+      in.problem(name, ErrorCode::BadWire, "input \"{}\" takes one wire, not {}", name, wire.sources.size());
+    }
+    component_.wires.push_back(std::move(wire));
+  }
+
+  bool given(std::string_view name) const { return std::find(given_.begin(), given_.end(), name) != given_.end(); }
+
+  Table& table_;
+  ComponentModel& component_;
+  const Descriptor& descriptor_;
+  std::vector<std::string> names_;
+  std::vector<std::string> given_;  // wired, or meant to be by what was reported already
+};
+
+void read_component(Table& table, ComponentClass component_class, const KindList& kinds, ControllerModel& model) {
+  ComponentModel component;
+  component.component_class = component_class;
+  read_id(table, component);
+  if (component.id.empty()) model.misread.emplace_back();
+  if (component_class == ComponentClass::Sensation) {
+    component.channel = table.text("channel");
+    component.channel_place = table.place("channel");
+    model.components.push_back(std::move(component));
+    return;
+  }
+  component.descriptor = read_kind(table, component_class, kinds);
+  if (component.descriptor == nullptr) {  // its keys cannot be judged
+    for (const std::string& key : table.keys()) table.known(key);
+    model.misread.push_back(component.id);
+    return;
+  }
+  if (component_class == ComponentClass::Acting || component_class == ComponentClass::Coordinator) {
+    component.command = table.text("command", "");
+    component.command_place = table.place("command");
+  }
+  if (component_class == ComponentClass::Acting) {
+    component.tolerance = table.number("tolerance", 0, config::kNotNegative);
+    component.preemption = table.boolean("preemption", true);
+  }
+  WireReader(table, component).run();
+  component.parameters = table.parameters(component.descriptor->parameters);
+  model.components.push_back(std::move(component));
+}
+
+/// Ids under headers that are no class of components, [[actin]], or not written as a list, [acting].
+void gather_misread(Table& root, ControllerModel& model) {
+  const auto is_class = [](std::string_view key) {
+    return std::any_of(kClasses.begin(), kClasses.end(), [&](ComponentClass c) { return name_of(c) == key; });
+  };
+  const auto take = [&](const config::Value& table) {
+    const config::Value* id = table.find("id");
+    if (id != nullptr && id->string() != nullptr) model.misread.push_back(*id->string());
+  };
+  for (const auto& [key, value] : root.members()) {
+    if (value.table() != nullptr) take(value);
+    if (value.array() == nullptr || is_class(key)) continue;
+    for (const config::Value& item : *value.array()) take(item);
+  }
+}
+
+void check_ids(const ControllerModel& model, Problems& problems) {
+  for (std::size_t i = 0; i < model.components.size(); ++i) {
+    const ComponentModel& component = model.components[i];
+    const int first = model.find(component.id);
+    if (component.id.empty() || first == static_cast<int>(i)) continue;
+    problems.add(component.place, ErrorCode::BadParameter, "{}: this id is already used at line {}", component.id,
+                 model.components[static_cast<std::size_t>(first)].place.line);
+  }
+}
+
+}  // namespace
+
+const Wire* ComponentModel::wire(int port) const noexcept {
+  for (const Wire& candidate : wires) {
+    if (candidate.port == port) return &candidate;
+  }
+  return nullptr;
+}
+
+int ControllerModel::find(std::string_view id) const noexcept {
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    if (components[i].id == id) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+ControllerModel read_controller(const config::Value& value, const KindList& kinds, Problems& problems) {
+  ControllerModel model;
+  Table root(value, "", problems);
+  config::check_format(root);
+  model.name = root.text("name", "");
+  model.robot = root.path("robot");
+  model.tick_s = root.number("tick_s", 0, config::Range{0, 3600});
+  root.known("layout");
+  for (const ComponentClass component_class : kClasses) {
+    for (Table& table : root.tables(name_of(component_class))) {
+      if (model.components.size() >= kMaxComponents) {
+        root.problem("", ErrorCode::TooLarge, "more than {} components", kMaxComponents);
+        for (const std::string& key : table.keys()) table.known(key);
+        return model;
+      }
+      read_component(table, component_class, kinds, model);
+    }
+  }
+  gather_misread(root, model);
+  check_ids(model, problems);
+  return model;
+}
+
+}  // namespace ganglion

@@ -1,0 +1,167 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "ganglion/graph/testing/rig.h"
+
+namespace ganglion {
+namespace {
+
+using testing::Rig;
+using testing::sensations;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kPending = 1, kSatisfied = 2;
+
+/// A Seeker that jumps straight to its goal, which is whatever sensation `a` says.
+std::string one_seeker(std::string_view settings = "") {
+  return sensations({"place", "a"}) + R"([[goal]]
+id = "wish"
+kind = "Wish"
+in.wish = "a"
+[[acting]]
+id = "seeker"
+kind = "Seeker"
+in.goal = "wish"
+in.place = "place"
+stride = 100
+command = "move"
+)" + std::string(settings);
+}
+
+TEST(Request, IsLatchedUntilItIsSatisfied) {
+  Rig rig(one_seeker("tolerance = 0"));
+  rig.set("a", 4);
+  rig.tick();
+  EXPECT_EQ(rig.command("move"), 4);
+  rig.set("a", 7);
+  rig.tick(3);
+  EXPECT_EQ(rig.command("move"), 4);
+  EXPECT_EQ(rig.signal("seeker.status"), kPending);
+  EXPECT_EQ(rig.signal("seeker.fresh"), 1);
+}
+
+TEST(Request, GivesWayToTheNextInTheTickInWhichItIsSatisfied) {
+  Rig rig(one_seeker("tolerance = 0"));
+  rig.set("a", 4);
+  rig.tick();
+  rig.set("a", 7);
+  rig.set("place", 4);
+  rig.tick();
+  EXPECT_EQ(rig.signal("wish.satisfied"), 1);
+  EXPECT_EQ(rig.command("move"), 7);
+  EXPECT_EQ(rig.signal("seeker.fresh"), 2);
+}
+
+TEST(Request, IsSatisfiedWithinItsOwnTolerance) {
+  Rig rig(one_seeker("tolerance = 0.25"));
+  rig.set("a", 4);
+  rig.set("place", 3.5);
+  rig.tick(2);
+  EXPECT_EQ(rig.signal("wish.satisfied"), 0);
+  rig.set("place", 3.75);
+  rig.tick();
+  EXPECT_EQ(rig.signal("wish.satisfied"), 1);
+}
+
+TEST(Request, OfTurnsIsComparedRoundTheCircle) {
+  Rig rig(sensations({"heading"}) + R"([[goal]]
+id = "wish"
+kind = "Wish"
+values = [3.1]
+[[acting]]
+id = "turner"
+kind = "Turner"
+in.goal = "wish"
+in.place = "heading"
+tolerance = 0.1
+command = "move"
+)");
+  rig.set("heading", -2.9);  // 2 pi - 6.0 = 0.283 apart
+  rig.tick(2);
+  EXPECT_EQ(rig.signal("wish.satisfied"), 0);
+  rig.set("heading", -3.1);  // 2 pi - 6.2 = 0.083 apart
+  rig.tick();
+  EXPECT_EQ(rig.signal("wish.satisfied"), 1);
+}
+
+TEST(Request, IsNotSatisfiedByAMissingReading) {
+  Rig rig(one_seeker("tolerance = 1000"));
+  rig.set("a", 4);
+  rig.set("place", kNaN);
+  rig.tick(3);
+  rig.set("place", -std::numeric_limits<double>::infinity());
+  rig.tick(3);
+  EXPECT_EQ(rig.signal("wish.satisfied"), 0);
+  EXPECT_EQ(rig.signal("seeker.status"), kPending);
+}
+
+std::string one_walker(std::string_view settings = "") {
+  return sensations({"cell"}) + R"([[goal]]
+id = "wish"
+kind = "Wish"
+values = [3, 1]
+[[acting]]
+id = "walker"
+kind = "Walker"
+in.goal = "wish"
+in.place = "cell"
+command = "drive"
+)" + std::string(settings);
+}
+
+TEST(Request, OfCellsNeedsEveryElementExactly) {
+  Rig rig(one_walker());
+  rig.set("cell", {3, 0});
+  rig.tick(2);
+  EXPECT_EQ(rig.signal("wish.satisfied"), 0);
+  rig.set("cell", {3, 1});
+  rig.tick();
+  EXPECT_EQ(rig.signal("wish.satisfied"), 1);
+}
+
+TEST(Request, LeavesAModuleInactiveWhileNothingIsAsked) {
+  Rig rig(sensations({"place", "a"}) + R"([[goal]]
+id = "wish"
+kind = "Wish"
+in.wanted = "a"
+values = [4]
+[[acting]]
+id = "seeker"
+kind = "Seeker"
+in.goal = "wish"
+in.place = "place"
+command = "grip"
+)");
+  rig.tick(2);
+  EXPECT_EQ(rig.signal("seeker.cycles"), 0);
+  EXPECT_EQ(rig.signal("seeker.active"), 0);
+  EXPECT_EQ(rig.signal("seeker.status"), 0);
+  EXPECT_EQ(rig.origin("grip"), CommandOrigin::Safe);
+  EXPECT_EQ(rig.command("grip"), 2);
+}
+
+TEST(Request, KeepsItsStatusAfterSatisfactionForOnlookers) {
+  Rig rig(sensations({"place", "a"}) + R"([[goal]]
+id = "wish"
+kind = "Wish"
+in.wanted = "a"
+values = [4]
+[[acting]]
+id = "seeker"
+kind = "Seeker"
+in.goal = "wish"
+in.place = "place"
+command = "move"
+)");
+  rig.set("a", 1);
+  rig.tick();
+  rig.set("a", 0);
+  rig.set("place", 4);
+  rig.tick();
+  EXPECT_EQ(rig.signal("seeker.status"), kSatisfied);
+  EXPECT_EQ(rig.origin("move"), CommandOrigin::Safe);
+}
+
+}  // namespace
+}  // namespace ganglion

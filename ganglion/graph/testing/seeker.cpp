@@ -1,0 +1,111 @@
+#include "ganglion/graph/testing/seeker.h"
+
+#include <algorithm>
+#include <array>
+
+namespace ganglion::testing {
+namespace {
+
+enum Input : std::size_t { kGoal, kPlace };
+enum Output : std::size_t { kCycles, kAdaptations, kCharged, kGranted, kFresh, kRemembered, kTold, kOutcome };
+
+/// Ports of a Seeker over `size` values of one kind.
+constexpr std::array<PortDescriptor, 12> ports_of(std::string_view unit, ValueType type, int size) {
+  return {{
+      {.name = "goal", .role = PortRole::Request, .unit = unit, .type = type, .size = size},
+      {.name = "place", .role = PortRole::Feedback, .unit = unit, .type = type, .size = size},
+      {.name = "step", .role = PortRole::Command, .unit = unit, .size = size},
+      {.name = "expected", .role = PortRole::Appraisal, .unit = unit, .size = size},
+      {.name = "cycles", .role = PortRole::Output},
+      {.name = "adaptations", .role = PortRole::Output},
+      {.name = "charged", .role = PortRole::Output},
+      {.name = "granted", .role = PortRole::Output},
+      {.name = "fresh", .role = PortRole::Output},
+      {.name = "remembered", .role = PortRole::Output},
+      {.name = "told", .role = PortRole::Output},
+      {.name = "outcome", .role = PortRole::Output},
+  }};
+}
+
+constexpr auto kSeekerPorts = ports_of("m", ValueType::Real, 1);
+constexpr auto kTurnerPorts = ports_of("rad", ValueType::Circular, 1);
+constexpr auto kWalkerPorts = ports_of("", ValueType::Discrete, 2);
+
+constexpr std::array kParameters = {
+    ParameterDescriptor{.name = "stride", .preset = 1},
+    ParameterDescriptor{.name = "relative", .type = ParameterType::Boolean},
+    ParameterDescriptor{.name = "give_up_at", .preset = 1e9},
+};
+
+class Seeker final : public ActingModule {
+ public:
+  explicit Seeker(const Parameters& parameters)
+      : stride_(parameters.real("stride")),
+        relative_(parameters.boolean("relative")),
+        give_up_at_(parameters.real("give_up_at")) {}
+  static Result<std::unique_ptr<ActingModule>> make(const Parameters& parameters) {
+    if (parameters.real("stride") == 0) return fail(ErrorCode::BadParameter, "stride is 0, must be another number");
+    return std::make_unique<Seeker>(parameters);
+  }
+
+  void grow() override { history_.reserve(std::min<std::size_t>(history_.size() + 4, 4096)); }
+  std::uint32_t experience_version() const noexcept override { return 1; }
+  void save(std::vector<ExperiencePart>& parts) const override {
+    ByteWriter writer;
+    for (const double step : history_) writer.f64(step);
+    parts.push_back({"steps", writer.take()});
+  }
+  Result<void> load(std::uint32_t version, std::span<const ExperiencePart> parts) override {
+    if (version != 1) return fail(ErrorCode::Unsupported, "version {} is newer than 1", version);
+    if (parts.size() != 1 || parts[0].bytes.size() % 8 != 0) return fail(ErrorCode::Corrupt, "no steps");
+    ByteReader reader(parts[0].bytes);
+    history_.clear();
+    for (std::size_t i = 0; i < parts[0].bytes.size() / 8; ++i) history_.push_back(reader.f64());
+    return {};
+  }
+
+ private:
+  void internal_adaptation(const Feedback&, Cost cost) noexcept override {
+    output(kAdaptations)[0] += 1;
+    put(kCharged, cost.value);
+  }
+  Command internal_propagation(const Request& request, const Feedback& feedback) noexcept override {
+    output(kCycles)[0] += 1;
+    put(kGranted, feedback.granted ? 1 : 0);
+    output(kFresh)[0] += request.fresh ? 1 : 0;
+    put(kTold, static_cast<double>(feedback.reason.code));
+    put(kOutcome, static_cast<double>(feedback.outcome));
+    const auto place = feedback[kPlace].values;
+    if (place[0] >= give_up_at_) return Command::withdraw({ReasonCode::Trapped, place[0], request.values[0]});
+    Command command = Command::act(request.values);
+    for (std::size_t i = 0; i < place.size(); ++i) {
+      const double step = std::clamp(request.values[i] - place[i], -stride_, stride_);
+      command.values[i] = relative_ ? step : place[i] + step;
+      expected_[i] = place[i] + step;
+    }
+    if (history_.size() < history_.capacity()) history_.push_back(command.values[0]);
+    put(kRemembered, static_cast<double>(history_.size()));
+    return command;
+  }
+  void expected_feedback(std::span<double> appraisal) const noexcept override {
+    std::copy_n(expected_.begin(), appraisal.size(), appraisal.begin());
+  }
+
+  double stride_;
+  bool relative_;
+  double give_up_at_;
+  std::array<double, 2> expected_{};
+  std::vector<double> history_;
+};
+
+constexpr Descriptor described(std::string_view name, std::span<const PortDescriptor> ports) {
+  return {.component_class = ComponentClass::Acting, .name = name, .ports = ports, .parameters = kParameters};
+}
+
+}  // namespace
+
+constinit const ActingModuleKind seeker_kind{described("Seeker", kSeekerPorts), Seeker::make};
+constinit const ActingModuleKind turner_kind{described("Turner", kTurnerPorts), Seeker::make};
+constinit const ActingModuleKind walker_kind{described("Walker", kWalkerPorts), Seeker::make};
+
+}  // namespace ganglion::testing

@@ -1,0 +1,83 @@
+#include <array>
+
+#include "ganglion/graph/testing/sensing_kinds.h"
+
+namespace ganglion::testing {
+namespace {
+
+constexpr std::array kGainPorts = {
+    PortDescriptor{.name = "in", .role = PortRole::Feedback, .unit = "*"},
+    PortDescriptor{.name = "out", .role = PortRole::Output},
+};
+constexpr std::array kGainParameters = {ParameterDescriptor{.name = "gain", .preset = 1}};
+
+class Gain final : public SensingModule {
+ public:
+  explicit Gain(double gain) : gain_(gain) {}
+  static Result<std::unique_ptr<SensingModule>> make(const Parameters& parameters) {
+    return std::make_unique<Gain>(parameters.real("gain"));
+  }
+
+ private:
+  void perceive(const Feedback& feedback) noexcept override { put(0, gain_ * feedback.value(0)); }
+  double gain_;
+};
+
+constexpr std::array kCopyPorts = {
+    PortDescriptor{.name = "in", .role = PortRole::Feedback, .unit = "*", .size = 0},
+    PortDescriptor{.name = "out", .role = PortRole::Output, .unit = "*", .size = 0},
+};
+
+class Copy final : public SensingModule {
+ public:
+  static Result<std::unique_ptr<SensingModule>> make(const Parameters&) { return std::make_unique<Copy>(); }
+
+ private:
+  void perceive(const Feedback& feedback) noexcept override {
+    const std::size_t count = std::min(output(0).size(), feedback[0].values.size());
+    for (std::size_t i = 0; i < count; ++i) output(0)[i] = feedback[0].values[i];
+  }
+};
+
+constexpr std::array kSurprisePorts = {
+    PortDescriptor{.name = "in", .role = PortRole::Feedback, .unit = "*"},
+    PortDescriptor{.name = "expected", .role = PortRole::Appraisal, .unit = "*", .required = false},
+    PortDescriptor{.name = "error", .role = PortRole::Output},
+    PortDescriptor{.name = "heard", .role = PortRole::Output},
+};
+
+class Surprise final : public SensingModule {
+ public:
+  static Result<std::unique_ptr<SensingModule>> make(const Parameters&) { return std::make_unique<Surprise>(); }
+
+ private:
+  void perceive(const Feedback& feedback) noexcept override {
+    put(0, feedback.value(0) - feedback.value(1));
+    put(1, feedback.value(1));
+  }
+};
+
+constexpr std::array kNoisePorts = {PortDescriptor{.name = "out", .role = PortRole::Output}};
+
+class Noise final : public SensingModule {
+ public:
+  static Result<std::unique_ptr<SensingModule>> make(const Parameters&) { return std::make_unique<Noise>(); }
+
+ private:
+  void perceive(const Feedback& feedback) noexcept override { put(0, draws(feedback.tick).uniform()); }
+};
+
+template <std::size_t Ports>
+constexpr Descriptor described(std::string_view name, const std::array<PortDescriptor, Ports>& ports,
+                               std::span<const ParameterDescriptor> parameters = {}) {
+  return {.component_class = ComponentClass::Sensing, .name = name, .ports = ports, .parameters = parameters};
+}
+
+}  // namespace
+
+constinit const SensingModuleKind gain_kind{described("Gain", kGainPorts, kGainParameters), Gain::make};
+constinit const SensingModuleKind copy_kind{described("Copy", kCopyPorts), Copy::make};
+constinit const SensingModuleKind surprise_kind{described("Surprise", kSurprisePorts), Surprise::make};
+constinit const SensingModuleKind noise_kind{described("Noise", kNoisePorts), Noise::make};
+
+}  // namespace ganglion::testing

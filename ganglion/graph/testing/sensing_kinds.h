@@ -1,0 +1,9 @@
+#pragma once
+
+#include "ganglion/module/sensing_module.h"
+
+namespace ganglion::testing {
+
+extern const SensingModuleKind gain_kind, copy_kind, surprise_kind, noise_kind;
+
+}  // namespace ganglion::testing

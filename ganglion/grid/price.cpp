@@ -1,0 +1,44 @@
+#include "ganglion/grid/price.h"
+
+#include "ganglion/math/functions.h"
+
+namespace ganglion::grid {
+namespace {
+
+std::uint32_t rounded(double units) noexcept { return static_cast<std::uint32_t>(units + 0.5); }
+
+}  // namespace
+
+bool Pricing::open(const Cell& cell) const noexcept {
+  if (RiskMap::inhibited(cell, now_)) return false;
+  if (cell.label == Label::Unexplored) return true;
+  if (query_ == Query::Secure) return cell.label == Label::Empty && cell.risk <= rule_.secure_risk;
+  return !map_->spent(cell);
+}
+
+std::uint32_t Pricing::risk_units(double risk) const noexcept {
+  return risk > 0 ? rounded(-rule_.risk_weight * math::log(1 - risk) * kStraightUnits) : 0;
+}
+
+Price Pricing::operator()(CellIndex index) const noexcept {
+  const Cell* cell = map_->find(index);
+  if (cell == nullptr ? map_->full() : !open(*cell)) return {};
+  const bool known = cell != nullptr && cell->label != Label::Unexplored;
+  const bool weighs = known && (query_ == Query::Feasible || rule_.secure_weighs_cost);
+  const double factor = weighs ? map_->cost_factor(*cell) : 1;
+  Price price{rounded(kStraightUnits * factor), rounded(kDiagonalUnits * factor), 0, 0};
+  if (query_ == Query::Feasible) {
+    price.risk = known ? risk_units(cell->risk) : 0;
+    // A diagonal attempt that fails beside unexplored ground teaches little; straight attempts come first.
+    price.side = known ? price.risk : risk_units(map_->rule().first_risk);
+  }
+  return price;
+}
+
+bool Pricing::may_step(CellIndex from, int direction) const noexcept {
+  if (!may_enter(neighbour(from, direction))) return false;
+  return !is_diagonal(direction) ||
+         (may_enter(neighbour(from, turned(direction, -1))) && may_enter(neighbour(from, turned(direction, 1))));
+}
+
+}  // namespace ganglion::grid

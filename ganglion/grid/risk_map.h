@@ -1,0 +1,97 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "ganglion/base/result.h"
+#include "ganglion/grid/cell.h"
+#include "ganglion/grid/risk_rule.h"
+#include "ganglion/module/experience.h"
+
+namespace ganglion::grid {
+
+inline constexpr int kTileSide = 64;
+
+/// A square of kTileSide x kTileSide cells; `column` and `row` count tiles.
+struct Tile {
+  std::int32_t column = 0;
+  std::int32_t row = 0;
+  std::array<Cell, kTileSide * kTileSide> cells{};
+};
+
+/// The ground as experience has it: which cells were entered, which failed, how likely each can be crossed.
+///
+/// Memory   tiles added by grow_around() between ticks, at most max_tiles; nothing else allocates. Once the map is
+/// full,
+///          cells outside it are not to be entered.
+/// Ticks    are whatever the caller counts, ever upwards.
+/// Source   "A growing functional modules locomotion subsystem", Methodology 1b; numbers ours, see RiskRule.
+class RiskMap {
+ public:
+  /// max_tiles >= 1.
+  RiskMap(int max_tiles, const RiskRule& rule);
+
+  /// Null outside the tiles.
+  const Cell* find(CellIndex cell) const noexcept;
+  bool full() const noexcept { return tiles_.size() == max_tiles_; }
+  /// Adds the tiles of a cell and of what lies within two steps of it. Allocates.
+  void grow_around(CellIndex cell);
+
+  /// Each does nothing outside the tiles.
+  void cross(CellIndex cell) noexcept;
+  /// The robot was put or found there without an attempt of its own.
+  void visit(CellIndex cell) noexcept;
+  /// `certain` when no other cell can have been the cause.
+  void fail(CellIndex cell, std::uint32_t now, bool certain) noexcept;
+  void book_cost(CellIndex cell, double cost_j) noexcept;
+
+  static bool inhibited(const Cell& cell, std::uint32_t now) noexcept { return now < cell.inhibited_until; }
+  /// Its attempts of this round are used up: a static cell has one, a dynamic one `dynamic_tries`.
+  bool spent(const Cell& cell) const noexcept;
+  void set_dynamic_tries(int tries) noexcept { dynamic_tries_ = tries; }
+  void new_round() noexcept { ++round_; }
+  /// The first tick after `now` at which an inhibition lapses; none when nothing is inhibited.
+  std::optional<std::uint32_t> next_lapse(std::uint32_t now) const noexcept;
+  /// Forgets inhibitions and rounds, which belong to a stretch of driving, not to experience.
+  void forget_attempts() noexcept;
+
+  /// How much dearer than the average crossing this cell is, at least 1; 1 where nothing is known.
+  double cost_factor(const Cell& cell) const noexcept;
+  const RiskRule& rule() const noexcept { return rule_; }
+  /// Changes whenever a cell becomes harder or easier to enter.
+  std::uint32_t revision() const noexcept { return revision_; }
+  int explored() const noexcept { return explored_; }
+  int occupied() const noexcept { return occupied_; }
+  std::span<const std::unique_ptr<Tile>> tiles() const noexcept { return tiles_; }
+
+  /// One part for the whole and one for each tile, in row order; cells never explored take no room.
+  void save(std::vector<ExperiencePart>& parts) const;
+  /// A map of the same limits from saved parts. Fails with Corrupt, or with Unsupported when it holds too many tiles.
+  Result<RiskMap> loaded(std::span<const ExperiencePart> parts) const;
+
+ private:
+  Cell* at(CellIndex cell) noexcept;
+  std::size_t slot_of(std::int32_t column, std::int32_t row) const noexcept;
+  Tile* tile_at(std::int32_t column, std::int32_t row) const noexcept;
+  Tile& add_tile(std::int32_t column, std::int32_t row);
+  void count(Label before, Label after) noexcept;
+  Result<void> load_summary(std::span<const std::byte> bytes);
+  Result<void> load_tile(const ExperiencePart& part);
+
+  RiskRule rule_;
+  std::size_t max_tiles_;
+  std::vector<std::unique_ptr<Tile>> tiles_;
+  std::vector<Tile*> directory_;       ///< Hash table of the tiles, open addressing, at most half full.
+  std::vector<std::uint32_t> lapses_;  ///< Ticks at which inhibitions end, each at its remainder.
+  Cell whole_{};                       ///< Running mean of the cost of all crossings.
+  int dynamic_tries_ = 3;
+  std::uint32_t round_ = 1;
+  std::uint32_t revision_ = 0;
+  int explored_ = 0;
+  int occupied_ = 0;
+};
+
+}  // namespace ganglion::grid

@@ -1,0 +1,116 @@
+// The layout of a saved map, version 1.
+//   "map":          f64 mean cost of all crossings, u32 crossings in that mean
+//   "tile <c> <r>": i32 column, i32 row, u32 count, then for each explored cell, ascending:
+//                   u32 index, u8 label + 4 * dynamic, f64 risk, f64 mean cost, u32 crossings in that mean
+#include <algorithm>
+#include <cmath>
+
+#include "ganglion/grid/risk_map.h"
+
+namespace ganglion::grid {
+namespace {
+
+constexpr std::string_view kSummary = "map";
+constexpr std::int32_t kFarthestTile = kFarthestCell / kTileSide;
+
+void write_cell(ByteWriter& writer, std::uint32_t index, const Cell& cell) {
+  writer.u32(index);
+  writer.u8(static_cast<std::uint8_t>(static_cast<int>(cell.label) + (cell.nature == Nature::Dynamic ? 4 : 0)));
+  writer.f64(cell.risk);
+  writer.f64(cell.cost_j);
+  writer.u32(cell.costed);
+}
+
+/// Reads all but the index. False when the values are not those of an explored cell.
+bool read_cell(ByteReader& reader, Cell& cell) noexcept {
+  const int kind = reader.u8();
+  cell.label = static_cast<Label>(kind & 3);
+  cell.nature = (kind & 4) != 0 ? Nature::Dynamic : Nature::Static;
+  cell.risk = reader.f64();
+  cell.cost_j = reader.f64();
+  cell.costed = reader.u32();
+  const bool labelled = kind < 8 && (cell.label == Label::Empty || cell.label == Label::Occupied);
+  return labelled && cell.risk >= 0 && cell.risk <= kMaxRisk && std::isfinite(cell.cost_j) && cell.cost_j >= 0;
+}
+
+tl::unexpected<Error> corrupt(std::string_view part, std::string_view wanted) {
+  return fail(ErrorCode::Corrupt, "part \"{}\" of the saved map is damaged, expected {}", part, wanted);
+}
+
+ExperiencePart part_of(const Tile& tile) {
+  const auto explored = [](const Cell& cell) { return cell.label != Label::Unexplored; };
+  ByteWriter writer;
+  writer.i32(tile.column);
+  writer.i32(tile.row);
+  writer.u32(static_cast<std::uint32_t>(std::count_if(tile.cells.begin(), tile.cells.end(), explored)));
+  for (std::uint32_t i = 0; i < tile.cells.size(); ++i) {
+    if (explored(tile.cells[i])) write_cell(writer, i, tile.cells[i]);
+  }
+  return {fmt::format("tile {} {}", tile.column, tile.row), writer.take()};
+}
+
+}  // namespace
+
+void RiskMap::save(std::vector<ExperiencePart>& parts) const {
+  ByteWriter summary;
+  summary.f64(whole_.cost_j);
+  summary.u32(whole_.costed);
+  parts.push_back({std::string(kSummary), summary.take()});
+  std::vector<const Tile*> sorted;
+  for (const auto& tile : tiles_) sorted.push_back(tile.get());
+  std::sort(sorted.begin(), sorted.end(),
+            [](const Tile* a, const Tile* b) { return a->row != b->row ? a->row < b->row : a->column < b->column; });
+  for (const Tile* tile : sorted) parts.push_back(part_of(*tile));
+}
+
+Result<RiskMap> RiskMap::loaded(std::span<const ExperiencePart> parts) const {
+  if (parts.size() > max_tiles_ + 1) {
+    return ganglion::fail(ErrorCode::Unsupported, "the saved map has {} tiles, max_tiles is {}", parts.size() - 1,
+                          max_tiles_);
+  }
+  RiskMap map(static_cast<int>(max_tiles_), rule_);
+  map.dynamic_tries_ = dynamic_tries_;
+  for (const ExperiencePart& part : parts) {
+    const auto taken = part.name == kSummary ? map.load_summary(part.bytes) : map.load_tile(part);
+    if (!taken) return tl::unexpected<Error>(taken.error());
+  }
+  map.revision_ = revision_ + 1;
+  return map;
+}
+
+Result<void> RiskMap::load_summary(std::span<const std::byte> bytes) {
+  ByteReader reader(bytes);
+  whole_.cost_j = reader.f64();
+  whole_.costed = reader.u32();
+  if (!reader.complete() || !std::isfinite(whole_.cost_j) || whole_.cost_j < 0) {
+    return corrupt(kSummary, "a finite cost >= 0 and a count");
+  }
+  return {};
+}
+
+Result<void> RiskMap::load_tile(const ExperiencePart& part) {
+  ByteReader reader(part.bytes);
+  const std::int32_t column = reader.i32();
+  const std::int32_t row = reader.i32();
+  const std::uint32_t count_saved = reader.u32();
+  const bool placed = std::abs(std::int64_t{column}) < kFarthestTile && std::abs(std::int64_t{row}) < kFarthestTile;
+  if (!reader.ok() || !placed) return corrupt(part.name, "a tile's column, row and number of cells");
+  if (tile_at(column, row) != nullptr || full()) return corrupt(part.name, "each tile once");
+  Tile& tile = add_tile(column, row);
+  std::int64_t previous = -1;
+  for (std::uint32_t i = 0; i < count_saved; ++i) {
+    const std::int64_t index = reader.u32();
+    Cell cell;
+    const bool sound = read_cell(reader, cell);
+    if (!reader.ok() || !sound || index <= previous || index >= std::ssize(tile.cells)) {
+      return corrupt(part.name, "explored cells in ascending order");
+    }
+    tile.cells[static_cast<std::size_t>(index)] = cell;
+    count(Label::Unexplored, cell.label);
+    previous = index;
+  }
+  if (!reader.complete()) return corrupt(part.name, "nothing after its last cell");
+  return {};
+}
+
+}  // namespace ganglion::grid

@@ -1,0 +1,228 @@
+#include "ganglion/grid/risk_map.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace ganglion::grid {
+namespace {
+
+constexpr double kExact = 1e-12;
+
+Cell occupied(double risk, Nature nature) {
+  Cell cell;
+  cell.label = Label::Occupied;
+  cell.nature = nature;
+  cell.risk = risk;
+  return cell;
+}
+
+TEST(RiskRule, CallsAnUnexploredCellThatCannotBeEnteredOccupiedAndStatic) {
+  Cell cell;
+  note_failure(cell, {});
+  EXPECT_EQ(cell.label, Label::Occupied);
+  EXPECT_EQ(cell.nature, Nature::Static);
+  EXPECT_EQ(cell.risk, 0.2);
+}
+
+TEST(RiskRule, CallsACellDynamicThatWasCrossedAndNowBlocks) {
+  Cell cell;
+  note_crossing(cell, {});
+  note_failure(cell, {});
+  EXPECT_EQ(cell.label, Label::Occupied);
+  EXPECT_EQ(cell.nature, Nature::Dynamic);
+  EXPECT_EQ(cell.risk, 0.2);  // 0 + 0.15 is less than the least
+}
+
+TEST(RiskRule, RaisesTheRiskWithEachFailure) {
+  Cell cell = occupied(0.2, Nature::Static);
+  note_failure(cell, {});
+  EXPECT_NEAR(cell.risk, 0.32, kExact);  // 0.2 + 0.15 * 0.8
+  note_failure(cell, {});
+  EXPECT_NEAR(cell.risk, 0.422, kExact);  // 0.32 + 0.15 * 0.68
+  EXPECT_EQ(cell.nature, Nature::Static);
+  for (int i = 0; i < 1000; ++i) note_failure(cell, {});
+  EXPECT_LT(cell.risk, 1);
+}
+
+TEST(RiskRule, LowersTheRiskMuchWhenAStaticCellIsCrossedAndALittleWhenADynamicOneIs) {
+  Cell once_static = occupied(0.5, Nature::Static);
+  note_crossing(once_static, {});
+  EXPECT_NEAR(once_static.risk, 0.15, kExact);
+  EXPECT_EQ(once_static.label, Label::Empty);
+  EXPECT_EQ(once_static.nature, Nature::Dynamic);
+  note_crossing(once_static, {});
+  EXPECT_NEAR(once_static.risk, 0.105, kExact);
+}
+
+TEST(RiskRule, GivesNoRiskToAnUnexploredCellThatWasEntered) {
+  Cell cell;
+  note_crossing(cell, {});
+  EXPECT_EQ(cell.label, Label::Empty);
+  EXPECT_EQ(cell.nature, Nature::Dynamic);
+  EXPECT_EQ(cell.risk, 0);
+}
+
+TEST(RiskRule, InhibitsLongerWhereTheRiskIsHigher) {
+  EXPECT_EQ(inhibition_ticks(0.0, {}), 2u);
+  EXPECT_EQ(inhibition_ticks(0.2, {}), 5u);     // 2 + floor(3.6)
+  EXPECT_EQ(inhibition_ticks(0.32, {}), 7u);    // 2 + floor(5.76)
+  EXPECT_EQ(inhibition_ticks(0.999, {}), 19u);  // 2 + floor(17.98)
+}
+
+TEST(RiskRule, KeepsTheMeanOfWhatCrossingCosts) {
+  Cell cell;
+  for (const double cost_j : {2.0, 4.0, 9.0}) note_cost(cell, cost_j);
+  EXPECT_NEAR(cell.cost_j, 5, kExact);
+}
+
+RiskMap map_round(CellIndex cell, int max_tiles = 8) {
+  RiskMap map(max_tiles, {});
+  map.grow_around(cell);
+  return map;
+}
+
+TEST(RiskMap, ClosesACellForTheTicksOfItsInhibition) {
+  RiskMap map = map_round({5, 5});
+  map.fail({5, 5}, 100, true);
+  EXPECT_TRUE(RiskMap::inhibited(*map.find({5, 5}), 100));
+  EXPECT_TRUE(RiskMap::inhibited(*map.find({5, 5}), 104));
+  EXPECT_FALSE(RiskMap::inhibited(*map.find({5, 5}), 105));
+  EXPECT_EQ(map.next_lapse(100), 105u);
+  EXPECT_EQ(map.next_lapse(105), std::nullopt);
+}
+
+TEST(RiskMap, GrowsOnlyWhereTheRobotIsAndUpToItsLimit) {
+  RiskMap map(3, {});
+  EXPECT_EQ(map.find({0, 0}), nullptr);
+  map.grow_around({30, 30});
+  EXPECT_EQ(map.tiles().size(), 1u);
+  map.grow_around({62, 30});  // two steps from the next tile
+  EXPECT_EQ(map.tiles().size(), 2u);
+  EXPECT_NE(map.find({64, 0}), nullptr);
+  map.grow_around({-1, -1});
+  EXPECT_TRUE(map.full());
+  EXPECT_NE(map.find({-1, -1}), nullptr);
+  EXPECT_EQ(map.find({1000, 1000}), nullptr);
+}
+
+TEST(RiskMap, CountsWhatIsExploredAndOccupied) {
+  RiskMap map = map_round({0, 0});
+  map.cross({0, 0});
+  map.cross({0, 0});
+  map.fail({1, 0}, 1, true);
+  map.fail({0, 0}, 1, true);
+  EXPECT_EQ(map.explored(), 2);
+  EXPECT_EQ(map.occupied(), 2);
+  map.cross({1, 0});
+  EXPECT_EQ(map.occupied(), 1);
+}
+
+TEST(RiskMap, GivesAStaticCellOneAttemptARoundAndADynamicOneThree) {
+  RiskMap map = map_round({0, 0});
+  map.fail({1, 0}, 1, true);
+  EXPECT_TRUE(map.spent(*map.find({1, 0})));
+  map.new_round();
+  EXPECT_FALSE(map.spent(*map.find({1, 0})));
+  map.cross({2, 0});
+  map.fail({2, 0}, 1, true);
+  map.fail({2, 0}, 1, true);
+  EXPECT_FALSE(map.spent(*map.find({2, 0})));
+  map.fail({2, 0}, 1, true);
+  EXPECT_TRUE(map.spent(*map.find({2, 0})));
+}
+
+TEST(RiskMap, CountsAnAttemptHalfWhenAnotherCellMayBeToBlame) {
+  RiskMap map = map_round({0, 0});
+  map.fail({1, 1}, 1, false);
+  EXPECT_FALSE(map.spent(*map.find({1, 1})));
+  map.fail({1, 1}, 1, false);
+  EXPECT_TRUE(map.spent(*map.find({1, 1})));
+}
+
+TEST(RiskMap, WeighsACellByWhatItCostsBesideTheOthers) {
+  RiskMap map = map_round({0, 0});
+  map.book_cost({0, 0}, 1);
+  map.book_cost({1, 0}, 1);
+  map.book_cost({2, 0}, 4);  // mean of all: 2
+  EXPECT_NEAR(map.cost_factor(*map.find({2, 0})), 2, kExact);
+  EXPECT_EQ(map.cost_factor(*map.find({0, 0})), 1);  // cheap ones never lure the robot out of its way
+  EXPECT_EQ(map.cost_factor(*map.find({3, 0})), 1);
+}
+
+RiskMap travelled() {
+  RiskMap map = map_round({0, 0});
+  map.grow_around({-1, -1});
+  map.cross({-1, -1});
+  map.cross({3, 2});
+  map.book_cost({3, 2}, 1.5);
+  map.fail({4, 2}, 7, true);
+  return map;
+}
+
+TEST(RiskMap, ComesBackFromItsParts) {
+  const RiskMap map = travelled();
+  std::vector<ExperiencePart> parts;
+  map.save(parts);
+  ASSERT_EQ(parts.size(), 5u);
+  EXPECT_EQ(parts[0].name, "map");
+  EXPECT_EQ(parts[1].name, "tile -1 -1");
+  EXPECT_EQ(parts[4].name, "tile 0 0");
+  const auto loaded = RiskMap(8, {}).loaded(parts);
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_EQ(loaded->explored(), 3);
+  EXPECT_EQ(loaded->occupied(), 1);
+  EXPECT_EQ(loaded->find({-1, -1})->label, Label::Empty);
+  EXPECT_EQ(loaded->find({3, 2})->cost_j, 1.5);
+  EXPECT_EQ(loaded->find({4, 2})->nature, Nature::Static);
+  EXPECT_EQ(loaded->find({4, 2})->risk, 0.2);
+  EXPECT_EQ(loaded->find({4, 2})->inhibited_until, 0u);  // belongs to the drive, not to experience
+  std::vector<ExperiencePart> again;
+  loaded->save(again);
+  for (std::size_t i = 0; i < parts.size(); ++i) EXPECT_EQ(again[i].bytes, parts[i].bytes);
+}
+
+TEST(RiskMap, RefusesEveryCutPart) {
+  std::vector<ExperiencePart> parts;
+  travelled().save(parts);
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    for (std::size_t size = 0; size < parts[part].bytes.size(); ++size) {
+      auto cut = parts;
+      cut[part].bytes.resize(size);
+      const auto loaded = RiskMap(8, {}).loaded(cut);
+      ASSERT_FALSE(loaded);
+      EXPECT_EQ(loaded.error().code, ErrorCode::Corrupt);
+    }
+  }
+}
+
+TEST(RiskMap, RefusesValuesThatNoMapCanHave) {
+  const auto with_risk = [](double risk) {
+    ByteWriter writer;
+    for (const std::int32_t value : {0, 0, 1, 17}) writer.i32(value);  // column, row, count, index
+    writer.u8(2);
+    writer.f64(risk);
+    writer.f64(0);
+    writer.u32(0);
+    return std::vector<ExperiencePart>{{"tile 0 0", writer.take()}};
+  };
+  EXPECT_TRUE(RiskMap(8, {}).loaded(with_risk(0.5)));
+  for (const double risk : {-0.1, 1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    EXPECT_FALSE(RiskMap(8, {}).loaded(with_risk(risk))) << risk;
+  }
+  auto twice = with_risk(0.5);
+  twice.push_back(twice.front());
+  EXPECT_FALSE(RiskMap(8, {}).loaded(twice));
+}
+
+TEST(RiskMap, RefusesMoreTilesThanItMayHold) {
+  std::vector<ExperiencePart> parts;
+  travelled().save(parts);
+  const auto loaded = RiskMap(3, {}).loaded(parts);
+  ASSERT_FALSE(loaded);
+  EXPECT_EQ(loaded.error().code, ErrorCode::Unsupported);
+}
+
+}  // namespace
+}  // namespace ganglion::grid

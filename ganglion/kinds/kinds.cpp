@@ -1,0 +1,25 @@
+#include "ganglion/kinds/kinds.h"
+
+#include "ganglion/kinds/lists.h"
+
+namespace ganglion {
+
+KindList controller_kinds() noexcept { return {k_sensing, k_goal, k_acting, k_coordination}; }
+
+sim::SimKinds sim_kinds() noexcept { return {k_sim_drive, k_sim_sensor}; }
+
+std::vector<const Descriptor*> all_descriptors() {
+  std::vector<const Descriptor*> all;
+  auto append = [&](const auto& kinds) {
+    for (const auto* kind : kinds) all.push_back(&kind->descriptor);
+  };
+  append(k_sensing);
+  append(k_goal);
+  append(k_acting);
+  append(k_coordination);
+  append(k_sim_drive);
+  append(k_sim_sensor);
+  return all;
+}
+
+}  // namespace ganglion

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "ganglion/graph/kind_list.h"
+#include "ganglion/sim/robot/robot_model.h"
+
+namespace ganglion {
+
+/// Every kind a controller may use; written by the build from the folders that hold one.
+KindList controller_kinds() noexcept;
+
+/// Every kind a simulated robot may use.
+sim::SimKinds sim_kinds() noexcept;
+
+/// The descriptors of all of them, by class, in order of their folders' names.
+std::vector<const Descriptor*> all_descriptors();
+
+}  // namespace ganglion

@@ -1,0 +1,20 @@
+#include "ganglion/plot/draw_all.h"
+
+#include "ganglion/plot/picture/pictures.h"
+
+namespace ganglion::plot {
+
+Result<std::vector<std::filesystem::path>> draw_all(const RunView& run, const std::filesystem::path& folder,
+                                                    Language language) {
+  std::vector<std::filesystem::path> paths;
+  for (const Picture& picture : all_pictures(run, language)) {
+    for (const PictureFormat format : {PictureFormat::Svg, PictureFormat::Png, PictureFormat::Pdf}) {
+      auto path = save(picture, format, folder);
+      if (!path) return tl::unexpected(path.error());
+      paths.push_back(std::move(*path));
+    }
+  }
+  return paths;
+}
+
+}  // namespace ganglion::plot

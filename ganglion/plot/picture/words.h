@@ -1,0 +1,52 @@
+#pragma once
+
+#include "ganglion/plot/view/language.h"
+
+namespace ganglion::plot {
+
+/// Every word in a picture, in the terms of the papers.
+struct Words {
+  Word trajectory;
+  Word trajectory_about;
+  Word learned_map;
+  Word learned_map_about;
+  Word signals;
+  Word signals_about;
+  Word behaviours;
+  Word behaviours_about;
+  Word legend;
+  Word start;
+  Word end;
+  Word path;
+  Word contact;
+  Word goal;
+  Word goal_withdrawn;
+  Word wall;
+  Word static_obstacle;
+  Word dynamic_obstacle;
+  Word earlier_place;
+  Word unknown_ground;
+  Word true_outline;
+  Word failed_attempt;
+  Word no_behaviour;
+  Word active;
+  Word suppressed;
+  Word quiet;
+  Word time;
+  Word risk;
+  Word unexplored;
+  Word occupied;
+  Word dynamic;
+  Word inhibited;
+  Word no_reading;
+  Word nothing_in_range;
+  Word too_close;
+  Word no_data;
+  Word robot;
+};
+
+const Words& words(Language language) noexcept;
+
+using WordOf = Word Words::*;
+
+}  // namespace ganglion::plot

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace ganglion::plot {
+
+enum class Language : std::uint8_t { English, Spanish };
+
+/// "en" or "es".
+constexpr std::string_view tag_of(Language language) noexcept { return language == Language::Spanish ? "es" : "en"; }
+
+/// An entry of a dictionary. It cannot be left out: a dictionary with a missing word does not compile.
+class Word {
+ public:
+  consteval Word(const char* text) : text_(text) {}  // NOLINT: a dictionary reads best without the type's name
+  constexpr operator std::string_view() const noexcept { return text_; }
+
+ private:
+  std::string_view text_;
+};
+
+}  // namespace ganglion::plot

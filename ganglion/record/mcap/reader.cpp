@@ -1,0 +1,349 @@
+#include "ganglion/record/mcap/reader.h"
+
+#include <optional>
+
+#include "ganglion/base/file.h"
+#include "ganglion/record/mcap/compression.h"
+#include "ganglion/record/mcap/fields.h"
+#include "ganglion/record/mcap/records.h"
+
+namespace ganglion {
+namespace {
+
+using mcap::FieldReader;
+using mcap::Opcode;
+using mcap::RecordView;
+
+/// Definitions found in a chunk count only if all of the chunk is good.
+struct Definitions {
+  std::map<std::uint16_t, mcap::Schema> schemas;
+  std::map<std::uint16_t, mcap::Channel> channels;
+};
+
+class Parser {
+ public:
+  Parser(std::string_view bytes, const std::string& name, Recover recover, const MessageSink& sink)
+      : bytes_(bytes), name_(name), recover_(recover), sink_(sink) {}
+
+  Result<McapContent> parse();
+
+ private:
+  template <class... Args>
+  Result<void> corrupt(std::size_t offset, fmt::format_string<Args...> format, Args&&... args) const {
+    return fail_at({name_}, ErrorCode::Corrupt, "byte {}: {}", offset,
+                   fmt::format(format, std::forward<Args>(args)...));
+  }
+
+  Result<void> header();
+  Result<void> data_section();
+  Result<void> data_record(const RecordView& record);
+  Result<void> schema(std::string_view content, Definitions& into);
+  Result<void> channel(std::string_view content, Definitions& into);
+  Result<void> chunk(std::string_view content);
+  Result<std::string_view> unpack(const mcap::ChunkView& chunk);
+  Result<void> chunk_records(std::string_view records, Definitions& found);
+  Result<void> attachment(std::string_view content);
+  Result<void> metadata(std::string_view content);
+  Result<void> data_end(const RecordView& record);
+  Result<void> summary_section();
+  Result<void> summary_record(const RecordView& record);
+  Result<void> footer(const RecordView& record);
+  const mcap::Channel* find_channel(std::uint16_t id, const Definitions* found) const;
+  void deliver(const mcap::Message& message);
+  void note_damage(const Error& error);
+  Result<void> count_definition(std::string_view content);
+
+  std::string_view bytes_;
+  const std::string& name_;
+  Recover recover_;
+  const MessageSink& sink_;
+  McapContent content_;
+  Definitions defined_;
+  mcap::Decompressor decompressor_;
+  std::string unpacked_;
+  std::vector<mcap::Message> batch_;
+  std::size_t unpacked_total_ = 0;
+  std::size_t definition_bytes_ = 0;
+  std::size_t offset_ = mcap::kMagic.size();
+  std::size_t record_offset_ = 0;  ///< Of the record being looked at, for messages.
+  std::size_t summary_start_ = 0;
+  std::optional<std::uint64_t> stated_messages_;
+};
+
+Result<McapContent> Parser::parse() {
+  if (!bytes_.starts_with(mcap::kMagic)) {
+    return fail_at({name_}, ErrorCode::Syntax, "is no MCAP file: it must begin with 89 4d 43 41 50 30 0d 0a");
+  }
+  auto outcome = header();
+  if (outcome) outcome = data_section();
+  if (outcome) outcome = summary_section();
+  if (!outcome) {
+    if (recover_ == Recover::No) return tl::unexpected(outcome.error());
+    note_damage(outcome.error());
+  }
+  content_.schemas = std::move(defined_.schemas);
+  content_.channels = std::move(defined_.channels);
+  return std::move(content_);
+}
+
+Result<void> Parser::header() {
+  const auto record = mcap::record_at(bytes_, offset_);
+  if (!record || record->opcode != Opcode::Header) return corrupt(offset_, "the header record is missing or cut");
+  FieldReader fields(record->content);
+  fields.string();  // profile
+  content_.library = fields.string();
+  if (!fields.ok()) return corrupt(offset_, "the header record is damaged");
+  offset_ += record->size();
+  return {};
+}
+
+Result<void> Parser::data_section() {
+  while (true) {
+    const auto record = mcap::record_at(bytes_, offset_);
+    if (!record) return corrupt(offset_, "the file was cut here; it has no end");
+    record_offset_ = offset_;
+    if (auto outcome = data_record(*record); !outcome) {
+      if (recover_ == Recover::No || record->opcode == Opcode::DataEnd) return outcome;
+      note_damage(outcome.error());
+    }
+    offset_ += record->size();
+    if (record->opcode == Opcode::DataEnd) return {};
+  }
+}
+
+Result<void> Parser::data_record(const RecordView& record) {
+  switch (record.opcode) {
+    case Opcode::Schema:
+      return schema(record.content, defined_);
+    case Opcode::Channel:
+      return channel(record.content, defined_);
+    case Opcode::Chunk:
+      return chunk(record.content);
+    case Opcode::Attachment:
+      return attachment(record.content);
+    case Opcode::Metadata:
+      return metadata(record.content);
+    case Opcode::DataEnd:
+      return data_end(record);
+    case Opcode::Message: {
+      const auto one = mcap::decode_message(record.content);
+      if (!one || find_channel(one->channel, nullptr) == nullptr) {
+        return corrupt(record_offset_, "a message is damaged, or its channel is not known");
+      }
+      deliver(*one);
+      return {};
+    }
+    case Opcode::Header:
+    case Opcode::Footer:
+      return corrupt(record_offset_, "a header or footer inside the data");
+    default:
+      return {};  // message indices, which reading everything does not need, and what later versions may add
+  }
+}
+
+Result<void> Parser::schema(std::string_view content, Definitions& into) {
+  if (auto outcome = count_definition(content); !outcome) return outcome;
+  auto schema = mcap::decode_schema(content);
+  if (!schema) return corrupt(record_offset_, "a schema record is damaged");
+  if (schema->first != 0) into.schemas.insert(std::move(*schema));
+  return {};
+}
+
+Result<void> Parser::channel(std::string_view content, Definitions& into) {
+  if (auto outcome = count_definition(content); !outcome) return outcome;
+  auto channel = mcap::decode_channel(content);
+  if (!channel) return corrupt(record_offset_, "a channel record is damaged");
+  if (channel->schema != 0 && !into.schemas.contains(channel->schema) && !defined_.schemas.contains(channel->schema)) {
+    return corrupt(record_offset_, "channel {} \"{}\" has schema {}, which is not known", channel->id, channel->topic,
+                   channel->schema);
+  }
+  const std::uint16_t id = channel->id;
+  into.channels.try_emplace(id, std::move(*channel));
+  return {};
+}
+
+const mcap::Channel* Parser::find_channel(std::uint16_t id, const Definitions* found) const {
+  if (const auto known = defined_.channels.find(id); known != defined_.channels.end()) return &known->second;
+  if (found == nullptr) return nullptr;
+  const auto fresh = found->channels.find(id);
+  return fresh != found->channels.end() ? &fresh->second : nullptr;
+}
+
+void Parser::deliver(const mcap::Message& message) {
+  ++content_.messages;
+  if (sink_) sink_(*find_channel(message.channel, nullptr), message);
+}
+
+void Parser::note_damage(const Error& error) {
+  constexpr std::size_t kMost = 100;  // a file of nothing but damage must not fill the memory with words about it
+  if (content_.damages.size() < kMost) content_.damages.push_back(error.message);
+}
+
+Result<void> Parser::count_definition(std::string_view content) {
+  definition_bytes_ += content.size();
+  if (definition_bytes_ <= mcap::kMaxDefinitionBytes) return {};
+  return fail_at({name_}, ErrorCode::TooLarge, "byte {}: over {} bytes of schemas, channels and metadata",
+                 record_offset_, mcap::kMaxDefinitionBytes);
+}
+
+Result<void> Parser::chunk(std::string_view content) {
+  if (!sink_) return {};
+  const auto chunk = mcap::decode_chunk(content);
+  if (!chunk) return corrupt(record_offset_, "a chunk is damaged");
+  const auto records = unpack(*chunk);
+  if (!records) return tl::unexpected(records.error());
+  Definitions found;
+  if (auto outcome = chunk_records(*records, found); !outcome) return outcome;
+  defined_.schemas.merge(found.schemas);
+  defined_.channels.merge(found.channels);
+  for (const mcap::Message& one : batch_) deliver(one);
+  return {};
+}
+
+Result<std::string_view> Parser::unpack(const mcap::ChunkView& chunk) {
+  const std::uint64_t size = chunk.unpacked_bytes;
+  if (size > mcap::kMaxChunkBytes || (unpacked_total_ += size) > mcap::kMaxUnpackedBytes) {
+    return fail_at({name_}, ErrorCode::TooLarge,
+                   "byte {}: a chunk unpacks to {} bytes; the limits are {}, and {} for all", record_offset_, size,
+                   mcap::kMaxChunkBytes, mcap::kMaxUnpackedBytes);
+  }
+  std::string_view records = chunk.packed;
+  if (chunk.compression == "zstd") {
+    if (!decompressor_.decompress(chunk.packed, size, unpacked_)) {
+      return tl::unexpected(corrupt(record_offset_, "a chunk cannot be unpacked").error());
+    }
+    records = unpacked_;
+  } else if (!chunk.compression.empty()) {
+    return fail_at({name_}, ErrorCode::Unsupported, "byte {}: a chunk packed by \"{}\"; known: zstd, none",
+                   record_offset_, chunk.compression);
+  }
+  if (records.size() != size || (chunk.crc != 0 && mcap::crc32(records) != chunk.crc)) {
+    return tl::unexpected(corrupt(record_offset_, "a chunk's content does not match its checksum or size").error());
+  }
+  return records;
+}
+
+Result<void> Parser::chunk_records(std::string_view records, Definitions& found) {
+  batch_.clear();
+  for (std::size_t offset = 0; offset < records.size();) {
+    const auto record = mcap::record_at(records, offset);
+    if (!record) return corrupt(record_offset_, "a record inside the chunk is longer than the chunk");
+    Result<void> outcome;
+    if (record->opcode == Opcode::Schema) outcome = schema(record->content, found);
+    if (record->opcode == Opcode::Channel) outcome = channel(record->content, found);
+    if (record->opcode == Opcode::Message) {
+      const auto one = mcap::decode_message(record->content);
+      if (!one || find_channel(one->channel, &found) == nullptr) {
+        return corrupt(record_offset_, "a message inside the chunk is damaged, or its channel is not known");
+      }
+      batch_.push_back(*one);
+    }
+    if (!outcome) return outcome;
+    offset += record->size();
+  }
+  return {};
+}
+
+Result<void> Parser::attachment(std::string_view content) {
+  if (content_.attachments.size() >= mcap::kMaxAttachments) {
+    return fail_at({name_}, ErrorCode::TooLarge, "byte {}: over {} attachments", record_offset_, mcap::kMaxAttachments);
+  }
+  auto checked = mcap::decode_attachment(content);
+  if (!checked) return corrupt(record_offset_, "an attachment is damaged");
+  if (!checked->crc_matches) {
+    return corrupt(record_offset_, "attachment \"{}\" does not match its checksum", checked->attachment.name);
+  }
+  content_.attachments.push_back(std::move(checked->attachment));
+  return {};
+}
+
+Result<void> Parser::metadata(std::string_view content) {
+  if (auto outcome = count_definition(content); !outcome) return outcome;
+  auto metadata = mcap::decode_metadata(content);
+  if (!metadata) return corrupt(record_offset_, "a metadata record is damaged");
+  content_.metadata.push_back(std::move(*metadata));
+  return {};
+}
+
+Result<void> Parser::data_end(const RecordView& record) {
+  FieldReader fields(record.content);
+  const std::uint32_t crc = fields.u32();
+  if (!fields.ok()) return corrupt(offset_, "the end of the data is damaged");
+  if (crc != 0 && mcap::crc32(bytes_.substr(0, record.offset)) != crc) {
+    return corrupt(offset_, "the data does not match its checksum");
+  }
+  return {};
+}
+
+Result<void> Parser::summary_section() {
+  summary_start_ = offset_;
+  while (true) {
+    const auto record = mcap::record_at(bytes_, offset_);
+    if (!record) return corrupt(offset_, "the file was cut in its summary");
+    record_offset_ = offset_;
+    if (record->opcode == Opcode::Footer) return footer(*record);
+    if (auto outcome = summary_record(*record); !outcome) return outcome;
+    offset_ += record->size();
+  }
+}
+
+Result<void> Parser::summary_record(const RecordView& record) {
+  switch (record.opcode) {
+    case Opcode::Schema:
+      return schema(record.content, defined_);
+    case Opcode::Channel:
+      return channel(record.content, defined_);
+    case Opcode::Statistics: {
+      FieldReader fields(record.content);
+      stated_messages_ = fields.u64();
+      return fields.ok() ? Result<void>() : corrupt(record_offset_, "the statistics are damaged");
+    }
+    case Opcode::Header:
+    case Opcode::Message:
+    case Opcode::Chunk:
+    case Opcode::DataEnd:
+      return corrupt(record_offset_, "a record that has no place in the summary");
+    default:
+      return {};
+  }
+}
+
+Result<void> Parser::footer(const RecordView& record) {
+  FieldReader fields(record.content);
+  const std::uint64_t summary_start = fields.u64();
+  fields.u64();  // start of the summary's offsets
+  const std::size_t covered_end = record.offset + mcap::kRecordHeadBytes + 2 * sizeof(std::uint64_t);
+  const std::uint32_t crc = fields.u32();
+  if (!fields.ok() || record.content.size() != mcap::kFooterBytes ||
+      (summary_start != 0 && summary_start != summary_start_)) {
+    return corrupt(record_offset_, "the footer is damaged");
+  }
+  if (crc != 0 && mcap::crc32(bytes_.substr(summary_start_, covered_end - summary_start_)) != crc) {
+    return corrupt(summary_start_, "the summary does not match its checksum");
+  }
+  if (bytes_.substr(record.offset + record.size()) != mcap::kMagic) {
+    return corrupt(record.offset + record.size(), "the file must end with its magic bytes and nothing after them");
+  }
+  if (!sink_) {
+    content_.messages = stated_messages_.value_or(0);
+  } else if (stated_messages_ && *stated_messages_ != content_.messages && content_.damages.empty()) {
+    return corrupt(summary_start_, "the summary counts {} messages, the data has {}", *stated_messages_,
+                   content_.messages);
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<McapContent> parse_mcap(std::string_view bytes, const std::string& name, Recover recover,
+                               const MessageSink& sink) {
+  return Parser(bytes, name, recover, sink).parse();
+}
+
+Result<McapContent> read_mcap(const std::filesystem::path& path, Recover recover, const MessageSink& sink) {
+  const auto bytes = read_file(path, mcap::kMaxMcapFileBytes);
+  if (!bytes) return tl::unexpected(bytes.error());
+  return parse_mcap(*bytes, path.string(), recover, sink);
+}
+
+}  // namespace ganglion

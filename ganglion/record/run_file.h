@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ganglion/base/result.h"
+#include "ganglion/record/mcap/reader.h"
+#include "ganglion/record/run_info.h"
+#include "ganglion/record/signal_table.h"
+
+namespace ganglion {
+
+struct JsonMessage {
+  double time_s = 0;
+  std::string text;
+};
+
+/// All messages of one topic, in the order they were written.
+struct JsonTopic {
+  std::string schema_name;  ///< "foxglove.PoseInFrame"...
+  std::vector<JsonMessage> messages;
+};
+
+/// A recorded run, read whole.
+struct RunFile {
+  RunInfo info;
+  std::optional<RunOutcome> outcome;  ///< None when the run was cut.
+  std::vector<mcap::Attachment> attachments;
+  std::vector<SignalTable> tables;
+  std::map<std::string, JsonTopic, std::less<>> json;  ///< By topic.
+  std::vector<std::string> damages;                    ///< What Recover::Yes passed over, in words.
+
+  /// Fails with NotFound, Unreadable, TooLarge, Syntax (no MCAP file), Unsupported (an MCAP file, but not of a run) or
+  /// Corrupt; a cut or damaged file can be read with Recover::Yes as far as it goes.
+  static Result<RunFile> read(const std::filesystem::path& path, Recover recover = Recover::No);
+  /// Info, outcome and attachments only, without unpacking the messages.
+  static Result<RunFile> read_summary(const std::filesystem::path& path, Recover recover = Recover::No);
+
+  const SignalTable* table(std::string_view topic) const noexcept;
+  const mcap::Attachment* attachment(std::string_view name) const noexcept;
+};
+
+}  // namespace ganglion

@@ -1,0 +1,126 @@
+#include "ganglion/record/run_info.h"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+
+#include "ganglion/base/text.h"
+
+namespace ganglion {
+namespace {
+
+constexpr std::string_view kVersion = "version.";
+constexpr std::string_view kMeasure = "measure.";
+
+/// Gathers the first thing wrong while fields are taken one by one.
+class FieldTaker {
+ public:
+  FieldTaker(const mcap::Fields& fields, std::string_view record) : fields_(fields), record_(record) {}
+
+  std::string text(std::string_view key) {
+    const auto found =
+        std::find_if(fields_.begin(), fields_.end(), [&](const auto& field) { return field.first == key; });
+    if (found != fields_.end()) return found->second;
+    complain(fmt::format("has no field \"{}\"", key));
+    return {};
+  }
+
+  template <class Integer>
+  Integer integer(std::string_view key) {
+    const std::string word = text(key);
+    Integer value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc() || end != word.data() + word.size()) {
+      complain(fmt::format("has {} = \"{}\", which is no whole number in range", key, word));
+    }
+    return value;
+  }
+
+  double number(std::string_view key, std::string_view word) {
+    const auto value = parse_number(word);
+    if (!value) complain(fmt::format("has {} = \"{}\", which is no number", key, word));
+    return value.value_or(0);
+  }
+
+  bool truth(std::string_view key) {
+    const std::string word = text(key);
+    if (word != "true" && word != "false") complain(fmt::format("has {} = \"{}\"; valid: true, false", key, word));
+    return word == "true";
+  }
+
+  template <class T>
+  Result<T> result(T value) const {
+    if (!complaint_) return value;
+    return fail(ErrorCode::Corrupt, "metadata \"{}\" {}", record_, *complaint_);
+  }
+
+ private:
+  void complain(std::string what) {
+    if (!complaint_) complaint_ = std::move(what);
+  }
+  const mcap::Fields& fields_;
+  std::string_view record_;
+  std::optional<std::string> complaint_;
+};
+
+}  // namespace
+
+mcap::Fields to_fields(const RunInfo& info) {
+  mcap::Fields fields = {{"name", info.name},
+                         {"seed", std::to_string(info.seed)},
+                         {"episode", std::to_string(info.episode)},
+                         {"tick_s", shortest(info.tick_s)},
+                         {"controller_hash", info.controller_hash},
+                         {"robots", to_lines(info.robots)}};
+  for (const auto& [name, version] : info.versions) fields.emplace_back(std::string(kVersion) + name, version);
+  return fields;
+}
+
+mcap::Fields to_fields(const RunOutcome& outcome) {
+  mcap::Fields fields = {
+      {"digest", outcome.digest}, {"success", outcome.success ? "true" : "false"}, {"reason", outcome.reason}};
+  for (const auto& [name, value] : outcome.measures) fields.emplace_back(std::string(kMeasure) + name, shortest(value));
+  return fields;
+}
+
+Result<RunInfo> run_info_from(const mcap::Fields& fields) {
+  FieldTaker taker(fields, kRunMetadata);
+  RunInfo info;
+  info.name = taker.text("name");
+  info.seed = taker.integer<std::uint64_t>("seed");
+  info.episode = taker.integer<std::uint32_t>("episode");
+  info.tick_s = taker.number("tick_s", taker.text("tick_s"));
+  info.controller_hash = taker.text("controller_hash");
+  info.robots = from_lines(taker.text("robots"));
+  for (const auto& [key, value] : fields) {
+    if (key.starts_with(kVersion)) info.versions[key.substr(kVersion.size())] = value;
+  }
+  return taker.result(std::move(info));
+}
+
+Result<RunOutcome> run_outcome_from(const mcap::Fields& fields) {
+  FieldTaker taker(fields, kOutcomeMetadata);
+  RunOutcome outcome;
+  outcome.digest = taker.text("digest");
+  outcome.success = taker.truth("success");
+  outcome.reason = taker.text("reason");
+  for (const auto& [key, value] : fields) {
+    if (key.starts_with(kMeasure)) outcome.measures.emplace_back(key.substr(kMeasure.size()), taker.number(key, value));
+  }
+  return taker.result(std::move(outcome));
+}
+
+std::string to_lines(const std::vector<std::string>& words) {
+  std::string lines;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) lines += '\n';
+    for (const char c : words[i]) lines += c == '\n' ? ' ' : c;
+  }
+  return lines;
+}
+
+std::vector<std::string> from_lines(std::string_view lines) {
+  return lines.empty() ? std::vector<std::string>() : split(lines, '\n');
+}
+
+}  // namespace ganglion

@@ -1,0 +1,88 @@
+#include "ganglion/run/batch.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <mutex>
+#include <thread>
+
+namespace ganglion {
+namespace {
+
+/// What the threads of a batch share.
+struct Work {
+  const Prepared& prepared;
+  const BatchOptions& options;
+  std::vector<std::optional<RunResult>> results;
+  std::atomic<std::size_t> next{0};
+  std::atomic<bool> stop{false};
+  std::mutex mutex;  // guards what follows
+  std::size_t done = 0;
+  std::optional<Error> error;
+};
+
+void work_through(Work& work) {
+  while (!work.stop) {
+    const std::size_t index = work.next++;
+    if (index >= work.results.size()) return;
+    RunOptions options;
+    options.seed = work.options.first_seed + index;
+    options.experience = work.options.experience;
+    if (work.options.run_file) options.run_file = work.options.run_file(options.seed);
+    options.progress = [&work](double) { return !work.stop; };
+    auto result = run(work.prepared, options);
+    const std::scoped_lock lock(work.mutex);
+    ++work.done;
+    if (result) {
+      work.results[index] = std::move(*result);
+    } else if (!work.error) {
+      work.error = result.error();
+      work.stop = true;
+    }
+    if (work.options.progress && !work.options.progress(work.done, work.results.size())) work.stop = true;
+  }
+}
+
+}  // namespace
+
+Result<std::vector<RunResult>> run_batch(const Prepared& prepared, const BatchOptions& options) {
+  expects(options.last_seed >= options.first_seed);
+  Work work{prepared, options, {}, {}, {}, {}, 0, {}};
+  work.results.resize(options.last_seed - options.first_seed + 1);
+  const unsigned threads = options.threads > 0 ? static_cast<unsigned>(options.threads)
+                                               : std::max(1u, std::thread::hardware_concurrency());
+  {
+    std::vector<std::jthread> pool;
+    for (unsigned i = 0; i < threads; ++i) pool.emplace_back([&work] { work_through(work); });
+  }
+  if (work.error) return tl::unexpected<Error>(*work.error);
+  std::vector<RunResult> results;
+  for (auto& result : work.results) {
+    if (result) results.push_back(std::move(*result));
+  }
+  return results;
+}
+
+double quantile(std::vector<double> values, double p) {
+  std::erase_if(values, [](double value) { return std::isnan(value); });
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  std::sort(values.begin(), values.end());
+  const double at = p * static_cast<double>(values.size() - 1);
+  const auto low = static_cast<std::size_t>(at);
+  const std::size_t high = std::min(low + 1, values.size() - 1);
+  if (values[low] == values[high]) return values[low];  // also where both are infinite
+  return values[low] + (at - static_cast<double>(low)) * (values[high] - values[low]);
+}
+
+std::vector<Quartiles> quartiles(const std::vector<RunResult>& results) {
+  std::vector<Quartiles> summary;
+  if (results.empty()) return summary;
+  for (const auto& [name, first] : results.front().measures) {
+    std::vector<double> values;
+    for (const RunResult& result : results) values.push_back(measure(result.measures, name));
+    summary.push_back({name, quantile(values, 0.25), quantile(values, 0.5), quantile(values, 0.75)});
+  }
+  return summary;
+}
+
+}  // namespace ganglion

@@ -1,0 +1,68 @@
+#include "ganglion/run/check_file.h"
+
+#include <array>
+
+#include "ganglion/kinds/kinds.h"
+#include "ganglion/run/prepared.h"
+
+namespace ganglion {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What the top-level keys of a file tell it to be.
+std::string kind_of(const config::Value& root) {
+  for (const char* key : {"application", "run", "success"}) {
+    if (root.find(key) != nullptr) return "experiment";
+  }
+  for (const char* key : {"acting", "sensing", "goal", "coordinator"}) {
+    if (root.find(key) != nullptr) return "controller";
+  }
+  for (const char* key : {"body", "drive", "sensor", "energy", "command"}) {
+    if (root.find(key) != nullptr) return "robot";
+  }
+  for (const char* key : {"wall", "box", "disc", "polygon", "mover", "spawn", "map"}) {
+    if (root.find(key) != nullptr) return "world";
+  }
+  if (root.find("controller") != nullptr) return "experiment";
+  return root.find("sensation") != nullptr ? "controller" : "";
+}
+
+void check_world(const fs::path& file, Problems& problems) {
+  const auto before = problems.size();
+  const auto ground = sim::Ground::load(file, problems);
+  if (!ground && problems.size() == before) problems.add(ground.error());
+}
+
+}  // namespace
+
+std::string check_file(const fs::path& given, Problems& problems) {
+  std::error_code ignored;
+  const fs::path file = fs::is_directory(given, ignored) ? given / "experiment.toml" : given;
+  if (file.extension() == ".yaml" || file.extension() == ".yml") {
+    check_world(file, problems);
+    return "map";
+  }
+  const auto root = config::load(file);
+  if (!root) {
+    problems.add(root.error());
+    return "";
+  }
+  const std::string kind = kind_of(*root);
+  if (kind == "experiment") {
+    prepare(file, {}, problems);
+  } else if (kind == "controller") {
+    load_controller(file, {}, nullptr, problems);
+  } else if (kind == "robot") {
+    sim::load_description(file, sim_kinds(), {}, problems);
+  } else if (kind == "world") {
+    check_world(file, problems);
+  } else {
+    problems.add({file.string(), 1, 1}, ErrorCode::Unsupported,
+                 "is neither an experiment ([application], [run]), a controller ([[acting]], ...), a robot ([body], "
+                 "[drive], ...) nor a world ([[wall]], [[box]], ...)");
+  }
+  return kind;
+}
+
+}  // namespace ganglion

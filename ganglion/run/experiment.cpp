@@ -1,0 +1,148 @@
+#include "ganglion/run/experiment.h"
+
+#include <algorithm>
+
+#include "ganglion/base/file.h"
+#include "ganglion/base/text.h"
+
+namespace ganglion {
+namespace {
+
+using config::Override;
+using config::Table;
+
+/// Keys that name a file; a longer --set path goes on inside it.
+constexpr std::string_view kController = "controller", kRobot = "application.robot", kWorld = "application.world";
+
+/// The part of an override's path behind a file's key, or nothing.
+std::optional<std::string> behind(const Override& override, std::string_view key) {
+  if (override.path.size() <= key.size() + 1 || !override.path.starts_with(key) || override.path[key.size()] != '.') {
+    return std::nullopt;
+  }
+  return override.path.substr(key.size() + 1);
+}
+
+void sort_out(const std::vector<Override>& overrides, Experiment& experiment, std::vector<Override>& own) {
+  for (const Override& override : overrides) {
+    if (const auto inside = behind(override, kController)) {
+      experiment.controller_overrides.push_back({*inside, override.value});
+    } else if (const auto in_robot = behind(override, kRobot)) {
+      experiment.robot_overrides.push_back({*in_robot, override.value});
+    } else if (const auto in_world = behind(override, kWorld)) {
+      experiment.world_overrides.push_back({*in_world, override.value});
+    } else {
+      own.push_back(override);
+    }
+  }
+}
+
+SpawnChoice read_spawn(Table table) {
+  SpawnChoice spawn;
+  spawn.id = table.text("id", "");
+  if (table.has("pose")) {
+    const std::vector<double> pose = table.numbers("pose", {0, 0, 0}, 3);
+    spawn.pose = Pose2{{pose[0], pose[1]}, Angle::from_deg(pose[2])};
+  }
+  spawn.clearance_m = table.number("clearance_m", spawn.clearance_m, config::Range{0, 100});
+  if (table.has("yaw_deg")) spawn.yaw = Angle::from_deg(table.number("yaw_deg", 0));
+  if (spawn.pose && !spawn.id.empty()) table.problem("id", ErrorCode::BadParameter, "give either a pose or an id");
+  return spawn;
+}
+
+std::vector<Criterion> read_criteria(Table& table, std::string_view key) {
+  std::vector<Criterion> criteria;
+  for (const std::string& text : table.texts(key)) {
+    if (auto criterion = parse_criterion(text)) {
+      criteria.push_back(std::move(*criterion));
+    } else {
+      table.problem(key, criterion.error().code, "{}", criterion.error().message);
+    }
+  }
+  return criteria;
+}
+
+void read_application(Table application, Experiment& experiment) {
+  experiment.files.robot = application.path("robot");
+  experiment.files.world = application.path("world");
+  experiment.robots = application.integer("robots", 1, config::Range{1, 10'000});
+  experiment.spawn = read_spawn(application.table("spawn"));
+}
+
+void read_run(Table run, Experiment& experiment) {
+  experiment.duration_s = run.number("duration_s", experiment.duration_s, config::Range{0, 1e6, true});
+  experiment.seed = static_cast<std::uint64_t>(run.integer("seed", 1, config::kNotNegative));
+  experiment.maps_every_s = run.number("maps_every_s", experiment.maps_every_s, config::kNotNegative);
+  experiment.free_ground = run.boolean("free_ground", false);
+  experiment.stop = read_criteria(run, "stop");
+}
+
+void take(std::filesystem::path& path, const std::filesystem::path& instead) {
+  if (!instead.empty()) path = instead;
+}
+
+}  // namespace
+
+Experiment read_experiment(const std::filesystem::path& given, const std::vector<Override>& overrides,
+                           Problems& problems, const ExperimentFiles& instead) {
+  Experiment experiment;
+  experiment.overrides = overrides;
+  std::error_code ignored;
+  experiment.files.experiment = std::filesystem::is_directory(given, ignored) ? given / "experiment.toml" : given;
+  auto root = config::load(experiment.files.experiment);
+  if (!root) {
+    problems.add(root.error());
+    return experiment;
+  }
+  std::vector<Override> own;
+  sort_out(overrides, experiment, own);
+  for (const Override& override : own) {
+    if (auto applied = config::apply(*root, override); !applied) problems.add(applied.error());
+  }
+  Table table(*root, "", problems);
+  config::check_format(table);
+  experiment.name = table.text("name", experiment.files.experiment.parent_path().filename().string());
+  experiment.files.controller = table.path("controller");
+  if (experiment.files.controller.empty()) table.text("controller");  // reports it missing
+  experiment.success = read_criteria(table, "success");
+  read_application(table.table("application"), experiment);
+  read_run(table.table("run"), experiment);
+  take(experiment.files.controller, instead.controller);
+  take(experiment.files.robot, instead.robot);
+  take(experiment.files.world, instead.world);
+  return experiment;
+}
+
+namespace {
+
+/// The file that a world names as its map, or a map as its image.
+std::optional<std::filesystem::path> named_by(const std::filesystem::path& file) {
+  if (file.extension() == ".yaml" || file.extension() == ".yml") {
+    const auto text = read_file(file, 1 << 20);
+    for (const std::string& line : text ? split(*text, '\n') : std::vector<std::string>{}) {
+      if (!line.starts_with("image:")) continue;
+      std::string image(trimmed(std::string_view(line).substr(6)));
+      std::erase_if(image, [](char c) { return c == '"' || c == '\''; });
+      return file.parent_path() / image;
+    }
+    return std::nullopt;
+  }
+  const auto root = config::load(file);
+  const config::Value* map = root ? root->find("map") : nullptr;
+  if (map == nullptr || map->string() == nullptr) return std::nullopt;
+  return file.parent_path() / *map->string();
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> input_files(const ExperimentFiles& files) {
+  std::vector<std::filesystem::path> result = {files.experiment, files.controller, files.robot};
+  std::filesystem::path next = files.world;
+  for (int depth = 0; depth < 3 && !next.empty(); ++depth) {  // world, map, image
+    result.push_back(next);
+    if (next.extension() == ".pgm") break;
+    next = named_by(next).value_or("");
+  }
+  return result;
+}
+
+}  // namespace ganglion

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ganglion/config/table.h"
+#include "ganglion/geometry/pose2.h"
+#include "ganglion/run/criterion.h"
+
+namespace ganglion {
+
+/// Where robots start: at a pose, at a spawn of the world, or somewhere with room around it.
+struct SpawnChoice {
+  std::optional<Pose2> pose;
+  std::string id;            ///< A [[spawn]] of the world.
+  double clearance_m = 0.3;  ///< Of a random place, to the nearest surface from the robot's centre less its radius.
+  std::optional<Angle> yaw;  ///< Of a random place; none = random as well.
+};
+
+/// The files an experiment stands on, as they were found: paths in files are relative to those, in --set to the
+/// working directory.
+struct ExperimentFiles {
+  std::filesystem::path experiment;
+  std::filesystem::path controller;
+  std::filesystem::path robot;
+  std::filesystem::path world;  ///< Empty: open ground.
+};
+
+/// What to run and how to judge it: experiment.toml.
+struct Experiment {
+  std::string name;
+  ExperimentFiles files;
+  int robots = 1;
+  SpawnChoice spawn;
+  double duration_s = 60;
+  std::uint64_t seed = 1;
+  double maps_every_s = 1;          ///< How often maps are recorded while they change.
+  bool free_ground = false;         ///< Drive the same run on open ground first, to measure progress_ratio against it.
+  std::vector<Criterion> success;   ///< All must be met.
+  std::vector<Criterion> stop;      ///< Any ends the run early.
+  std::vector<config::Override> controller_overrides, robot_overrides, world_overrides;  ///< For the named files.
+  std::vector<config::Override> overrides;  ///< All of them, for the record.
+};
+
+/// Reads an experiment.toml, or the one in a folder, with what --set changes. A path that goes on behind a key that names
+/// a file goes on inside that file: controller.acting.escape.trigger_range_m=0.2. `instead` names files that count in
+/// place of the named ones (for replaying a recorded run). Every problem is reported; the result holds what was
+/// understood.
+Experiment read_experiment(const std::filesystem::path& path, const std::vector<config::Override>& overrides,
+                           Problems& problems, const ExperimentFiles& instead = {});
+
+/// Every file the experiment reads, those named by other files included.
+std::vector<std::filesystem::path> input_files(const ExperimentFiles& files);
+
+}  // namespace ganglion

@@ -1,0 +1,97 @@
+#include "ganglion/run/prepared.h"
+
+#include "ganglion/base/file.h"
+#include "ganglion/graph/digest.h"
+#include "ganglion/graph/order.h"
+#include "ganglion/kinds/kinds.h"
+
+namespace ganglion {
+namespace {
+
+std::string hash_of(const std::filesystem::path& file, const std::vector<config::Override>& overrides) {
+  std::uint64_t hash = 0;
+  if (const auto text = read_file(file)) hash = hash_name(*text);
+  for (const config::Override& override : overrides) hash = combine(hash, hash_name(override.path + "=" + override.value));
+  return hex(hash);
+}
+
+std::shared_ptr<const sim::Ground> open_ground(Problems& problems) {
+  auto ground = sim::Ground::make(sim::GroundPlan{.name = "open ground"}, problems);
+  return ground ? std::make_shared<const sim::Ground>(std::move(*ground)) : nullptr;
+}
+
+std::shared_ptr<const sim::Ground> load_ground(const Experiment& experiment, Problems& problems) {
+  if (experiment.files.world.empty()) return open_ground(problems);
+  auto ground = sim::Ground::load(experiment.files.world, problems, experiment.world_overrides);
+  return ground ? std::make_shared<const sim::Ground>(std::move(*ground)) : nullptr;
+}
+
+}  // namespace
+
+sim::SimulationConfig Prepared::simulation(std::shared_ptr<const sim::Ground> on,
+                                           const std::vector<Pose2>& starts) const {
+  const SpawnChoice& choice = experiment.spawn;
+  sim::SpawnRule rule = sim::SpawnRandom{choice.clearance_m, choice.yaw};
+  if (!choice.id.empty()) rule = sim::SpawnNamed{choice.id};
+  if (choice.pose) rule = sim::SpawnPoses{{*choice.pose}};
+  if (!starts.empty()) rule = sim::SpawnPoses{starts};
+  return {.ground = std::move(on), .model = robot, .robots = experiment.robots, .spawn = std::move(rule)};
+}
+
+std::optional<ControllerModel> load_controller(const std::filesystem::path& path,
+                                               const std::vector<config::Override>& overrides,
+                                               const RobotDescription* robot, Problems& problems) {
+  auto root = config::load(path);
+  if (!root) {
+    problems.add(root.error());
+    return std::nullopt;
+  }
+  for (const config::Override& override : overrides) {
+    if (auto applied = config::apply(*root, override); !applied) problems.add(applied.error());
+  }
+  ControllerModel model = read_controller(*root, controller_kinds(), problems);
+  std::optional<RobotDescription> own;
+  if (robot == nullptr) {
+    if (model.robot.empty()) {
+      problems.add(root->place(), ErrorCode::MissingKey, "robot is missing: name the robot.toml it is drawn for");
+      return std::nullopt;
+    }
+    own = sim::load_description(model.robot, sim_kinds(), {}, problems);
+    if (!own) return std::nullopt;
+    robot = &*own;
+  }
+  resolve(model, *robot, problems);
+  order(model, problems);
+  if (!problems.empty()) return std::nullopt;
+  return model;
+}
+
+std::optional<Prepared> prepare(const std::filesystem::path& path, const std::vector<config::Override>& overrides,
+                                Problems& problems, const ExperimentFiles& instead) {
+  Prepared prepared;
+  prepared.experiment = read_experiment(path, overrides, problems, instead);
+  Experiment& experiment = prepared.experiment;
+  if (experiment.files.controller.empty()) return std::nullopt;
+  if (experiment.files.robot.empty()) {  // then the robot the controller was drawn for
+    if (const auto root = config::load(experiment.files.controller)) {
+      Problems unused;
+      experiment.files.robot = read_controller(*root, controller_kinds(), unused).robot;
+    }
+  }
+  prepared.robot = sim::load_robot(experiment.files.robot, sim_kinds(), experiment.robot_overrides, problems);
+  if (prepared.robot != nullptr && !prepared.robot->simulated()) {
+    problems.add({experiment.files.robot.string()}, ErrorCode::MissingKey,
+                 "describes a robot without [drive]: it cannot be simulated");
+  }
+  const RobotDescription* description = prepared.robot != nullptr ? &prepared.robot->description : nullptr;
+  auto model = load_controller(experiment.files.controller, experiment.controller_overrides, description, problems);
+  prepared.ground = load_ground(experiment, problems);
+  if (experiment.free_ground) prepared.open_ground = open_ground(problems);
+  if (!problems.empty() || !model || prepared.ground == nullptr) return std::nullopt;
+  prepared.controller = std::move(*model);
+  prepared.step_s = prepared.controller.tick_s > 0 ? prepared.controller.tick_s : prepared.robot->description.tick_s;
+  prepared.controller_hash = hash_of(experiment.files.controller, experiment.controller_overrides);
+  return prepared;
+}
+
+}  // namespace ganglion

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <memory>
+
+#include "ganglion/graph/model.h"
+#include "ganglion/run/experiment.h"
+#include "ganglion/sim/robot/robot_model.h"
+#include "ganglion/sim/simulation/simulation.h"
+#include "ganglion/sim/world/ground.h"
+
+namespace ganglion {
+
+/// An experiment with all its files read and checked: immutable, shared by any number of runs and threads.
+struct Prepared {
+  Experiment experiment;
+  ControllerModel controller;
+  std::shared_ptr<const sim::RobotModel> robot;
+  std::shared_ptr<const sim::Ground> ground;
+  std::shared_ptr<const sim::Ground> open_ground;  ///< For the yardstick of progress, where asked for.
+  double step_s = 0.1;
+  std::string controller_hash;  ///< Of the controller's text and what --set changed in it.
+  /// On that ground, started as the experiment says, or at the given poses where there are any.
+  sim::SimulationConfig simulation(std::shared_ptr<const sim::Ground> on, const std::vector<Pose2>& starts) const;
+};
+
+/// Reads and checks everything; none if there were problems.
+std::optional<Prepared> prepare(const std::filesystem::path& experiment, const std::vector<config::Override>& overrides,
+                                Problems& problems, const ExperimentFiles& instead = {});
+
+/// Reads and checks a controller against the robot its file names, or against `robot`.
+std::optional<ControllerModel> load_controller(const std::filesystem::path& path,
+                                               const std::vector<config::Override>& overrides,
+                                               const RobotDescription* robot, Problems& problems);
+
+}  // namespace ganglion

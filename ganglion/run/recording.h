@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+
+#include "ganglion/experience/stored_part.h"
+#include "ganglion/record/run_file.h"
+#include "ganglion/run/run.h"
+#include "ganglion/run/run_writer.h"
+
+namespace ganglion {
+
+/// The run file of one run, with everything needed to repeat it: every input file, what --set changed, and the experience
+/// the run started from. Without a file to write to, all calls do nothing.
+class Recording {
+ public:
+  static Result<Recording> start(const Prepared& prepared, const RunOptions& options,
+                                 const sim::Simulation& simulation,
+                                 const std::vector<std::unique_ptr<Controller>>& controllers);
+  void write(std::uint32_t tick, double time_s) {
+    if (writer_) writer_->write(tick, time_s);
+  }
+  /// Adds the outcome, closes the file and names it in the result.
+  Result<void> finish(RunResult& result);
+
+ private:
+  std::filesystem::path file_;
+  std::unique_ptr<RunRecorder> recorder_;
+  std::unique_ptr<RunWriter> writer_;
+};
+
+/// The input files of a recorded run, written below `folder`, and how they were used.
+struct RecordedInputs {
+  ExperimentFiles files;
+  std::vector<config::Override> overrides;
+  std::vector<ModuleExperience> experience;
+};
+/// Fails with Corrupt where the run file lacks them, or would write outside of `folder`.
+Result<RecordedInputs> unpack_inputs(const RunFile& run, const std::filesystem::path& folder);
+
+/// Between what controllers hand over and what the store keeps.
+std::vector<StoredPart> to_parts(const std::vector<ModuleExperience>& experience);
+std::vector<ModuleExperience> from_parts(const std::vector<StoredPart>& parts);
+
+}  // namespace ganglion

@@ -1,0 +1,152 @@
+#include <algorithm>
+#include <limits>
+
+#include "ganglion/base/text.h"
+#include "ganglion/graph/controller.h"
+#include "ganglion/kinds/kinds.h"
+#include "ganglion/run/replay.h"
+
+namespace ganglion {
+namespace {
+
+/// Which CSV column feeds which value of a frame.
+struct Feed {
+  std::size_t column;
+  std::size_t value;
+  std::size_t channel;
+};
+
+std::vector<std::string> value_names(const ComponentModel& sensation, const SensationChannel& channel) {
+  if (channel.elements.empty()) return {sensation.id};
+  std::vector<std::string> names;
+  for (const std::string& element : channel.elements) names.push_back(sensation.id + "." + element);
+  return names;
+}
+
+std::vector<Feed> feeds_of(const ControllerModel& model, const RobotDescription& robot, const Csv& csv,
+                           const std::string& file, Problems& problems) {
+  std::vector<Feed> feeds;
+  std::vector<std::string> known = {"time_s", "cost"};
+  for (const ComponentModel& component : model.components) {
+    if (component.component_class != ComponentClass::Sensation) continue;
+    const auto channel = static_cast<std::size_t>(component.channel_index);
+    const auto first = static_cast<std::size_t>(robot.sensation_offset(channel));
+    const auto names = value_names(component, robot.sensations[channel]);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      known.push_back(names[i]);
+      if (const auto column = csv.column(names[i])) feeds.push_back({*column, first + i, channel});
+    }
+  }
+  for (std::size_t i = 0; i < csv.columns.size(); ++i) {
+    const std::string& name = csv.columns[i];
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    problems.add({file, 1, 1}, ErrorCode::UnknownKey, "column \"{}\" is no sensation of the controller{}", name,
+                 suggestion(name, known));
+  }
+  if (!csv.column("time_s")) problems.add({file, 1, 1}, ErrorCode::MissingKey, "the column time_s is missing");
+  return feeds;
+}
+
+std::string header_of(const ControllerModel& model, const RobotDescription& robot) {
+  std::string line = "time_s";
+  for (const CommandChannel& channel : robot.commands) {
+    for (const CommandElement& element : channel.elements) line += "," + channel.name + "." + element.name;
+  }
+  for (const ComponentModel& component : model.components) {
+    if (component.component_class == ComponentClass::Coordinator) line += "," + component.id + ".active";
+  }
+  return line + "\n";
+}
+
+/// The id of the candidate that a coordinator's `active` output names.
+class Winner {
+ public:
+  Winner(const ComponentModel& coordinator, const Controller& controller) {
+    const auto& signals = controller.signals();
+    for (std::size_t i = 0; i < signals.size(); ++i) {
+      if (signals[i].name == coordinator.id + ".active") signal_ = i;
+    }
+    for (const Wire& wire : coordinator.wires) {
+      for (const Source& source : wire.sources) {
+        if (source.kind == Source::Kind::ModuleCommand) candidates_.push_back(source.text);
+      }
+    }
+  }
+  std::string id(const Controller& controller) const {
+    const double index = signal_ ? controller.values()[*signal_] : -1;
+    return index >= 0 && index < static_cast<double>(candidates_.size()) ? candidates_[static_cast<std::size_t>(index)] : "";
+  }
+
+ private:
+  std::optional<std::size_t> signal_;
+  std::vector<std::string> candidates_;
+};
+
+/// Time until the next row; of the last row that of the one before, of a single row the controller's own.
+double step_at(const Csv& csv, std::size_t time, std::size_t row, double preset_s) {
+  const std::size_t from = row + 1 < csv.rows() ? row : row - std::min<std::size_t>(row, 1);
+  const double step_s = from + 1 < csv.rows() ? csv.at(from + 1, time) - csv.at(from, time) : preset_s;
+  return step_s > 0 ? step_s : preset_s;
+}
+
+std::string play(Controller& controller, const ControllerModel& model, const RobotDescription& robot, const Csv& csv,
+                 const std::vector<Feed>& feeds) {
+  SenseFrame sense = make_sense_frame(robot);
+  ActFrame act = make_act_frame(robot);
+  std::vector<Winner> winners;
+  for (const ComponentModel& component : model.components) {
+    if (component.component_class == ComponentClass::Coordinator) winners.emplace_back(component, controller);
+  }
+  const std::size_t time = *csv.column("time_s");
+  const auto cost = csv.column("cost");
+  const double preset_s = model.tick_s > 0 ? model.tick_s : robot.tick_s;
+  std::string text = header_of(model, robot);
+  for (std::size_t row = 0; row < csv.rows(); ++row) {
+    sense.tick = static_cast<std::uint32_t>(row);
+    sense.time_s = csv.at(row, time);
+    sense.cost = std::nullopt;
+    if (cost && std::isfinite(csv.at(row, *cost))) sense.cost = csv.at(row, *cost);
+    for (const Feed& feed : feeds) {
+      sense.values[feed.value] = csv.at(row, feed.column);
+      sense.ages_s[feed.channel] = 0;
+    }
+    controller.tick(sense, step_at(csv, time, row, preset_s), act);
+    controller.grow();
+    text += shortest(sense.time_s);
+    for (const double value : act.values) text += "," + shortest(value);
+    for (const Winner& winner : winners) text += "," + winner.id(controller);
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+Result<std::string> replay_open_loop(const std::filesystem::path& path, const std::filesystem::path& inputs,
+                                     Problems& problems) {
+  const auto bad = [&]() { return tl::unexpected<Error>(problems.sorted().front()); };
+  auto root = config::load(path);
+  if (!root) {
+    problems.add(root.error());
+    return bad();
+  }
+  ControllerModel model = read_controller(*root, controller_kinds(), problems);
+  if (model.robot.empty()) problems.add({path.string(), 1, 1}, ErrorCode::MissingKey, "robot is missing");
+  if (!problems.empty()) return bad();
+  const auto robot = sim::load_description(model.robot, sim_kinds(), {}, problems);
+  const auto csv = read_csv(inputs);
+  if (!csv) problems.add(csv.error());
+  if (!robot || !csv) return bad();
+  resolve(model, *robot, problems);
+  if (!problems.empty()) return bad();
+  const auto feeds = feeds_of(model, *robot, *csv, inputs.string(), problems);
+  if (!problems.empty()) return bad();
+  auto controller = Controller::compile(model, *robot, controller_kinds(), {});
+  if (!controller) {
+    problems.add(controller.error());
+    return bad();
+  }
+  return play(*controller, model, *robot, *csv, feeds);
+}
+
+}  // namespace ganglion

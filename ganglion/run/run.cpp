@@ -1,0 +1,246 @@
+#include "ganglion/run/run.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include "ganglion/base/text.h"
+#include "ganglion/kinds/kinds.h"
+#include "ganglion/run/robot_measures.h"
+#include "ganglion/run/recording.h"
+
+namespace ganglion {
+namespace {
+
+using Controllers = std::vector<std::unique_ptr<Controller>>;
+
+/// Holds a run to a multiple of real time, between ticks; the run itself knows nothing of it.
+class Pace {
+ public:
+  explicit Pace(double factor) : factor_(factor), start_(std::chrono::steady_clock::now()) {}
+  void wait_until(double time_s) const {
+    if (factor_ > 0) std::this_thread::sleep_until(start_ + std::chrono::duration<double>(time_s / factor_));
+  }
+
+ private:
+  double factor_;
+  std::chrono::steady_clock::time_point start_;
+};
+
+Result<Controllers> make_controllers(const Prepared& prepared, const RunOptions& options) {
+  Controllers controllers;
+  for (int robot = 0; robot < prepared.experiment.robots; ++robot) {
+    const Identity identity{options.seed, options.episode, static_cast<std::uint32_t>(robot)};
+    auto made = Controller::compile(prepared.controller, prepared.robot->description, controller_kinds(), identity);
+    if (!made) return tl::unexpected<Error>(made.error());
+    controllers.push_back(std::make_unique<Controller>(std::move(*made)));
+    Problems problems;
+    controllers.back()->load(options.experience, problems);
+    if (!problems.empty()) return tl::unexpected<Error>(problems.sorted().front());
+  }
+  return controllers;
+}
+
+/// One run as it goes: application, controllers, frames between them.
+class Course {
+ public:
+  Course(const Prepared& prepared, std::unique_ptr<sim::Simulation> simulation, Controllers controllers)
+      : step_s_(prepared.step_s), simulation_(std::move(simulation)), controllers_(std::move(controllers)) {
+    const RobotDescription& description = prepared.robot->description;
+    sense_.assign(controllers_.size(), make_sense_frame(description));
+    act_.assign(controllers_.size(), make_act_frame(description));
+    for (std::size_t i = 0; i < controllers_.size(); ++i) {
+      truth_digests_.push_back(truth_.join(static_cast<std::uint32_t>(i), "@truth"));
+    }
+  }
+
+  /// A frame to every controller, a frame back.
+  void decide() noexcept {
+    simulation_->sense(sense_);
+    for (std::size_t i = 0; i < controllers_.size(); ++i) {
+      controllers_[i]->tick(sense_[i], step_s_, act_[i]);
+      const sim::Truth& truth = simulation_->truth(static_cast<int>(i));
+      const std::array<double, 4> bits = {truth.pose.position.x, truth.pose.position.y, truth.pose.yaw.rad(),
+                                          truth.energy_J};
+      truth_.add(truth_digests_[i], sense_[i].tick, bits);
+    }
+  }
+  /// The commands are carried out; controllers may grow meanwhile.
+  void act() {
+    simulation_->step(act_, step_s_);
+    for (const auto& controller : controllers_) controller->grow();
+  }
+
+  std::uint32_t tick() const noexcept { return sense_.front().tick; }
+  double time_s() const noexcept { return sense_.front().time_s; }
+  const sim::Simulation& simulation() const noexcept { return *simulation_; }
+  const Controllers& controllers() const noexcept { return controllers_; }
+  std::string digest() const {
+    std::uint64_t sum = truth_.total();
+    for (const auto& controller : controllers_) sum += controller->digest().total();
+    return hex(sum);
+  }
+
+ private:
+  double step_s_;
+  std::unique_ptr<sim::Simulation> simulation_;
+  Controllers controllers_;
+  std::vector<SenseFrame> sense_;
+  std::vector<ActFrame> act_;
+  Digest truth_;
+  std::vector<std::size_t> truth_digests_;
+};
+
+Result<Course> make_course(const Prepared& prepared, const RunOptions& options,
+                           std::shared_ptr<const sim::Ground> ground, const std::vector<Pose2>& starts) {
+  auto simulation = sim::Simulation::make(prepared.simulation(std::move(ground), starts));
+  if (!simulation) return tl::unexpected<Error>(simulation.error());
+  if (auto reset = (*simulation)->reset(options.seed, options.episode); !reset) {
+    return tl::unexpected<Error>(reset.error());
+  }
+  auto controllers = make_controllers(prepared, options);
+  if (!controllers) return tl::unexpected<Error>(controllers.error());
+  return Course(prepared, std::move(*simulation), std::move(*controllers));
+}
+
+std::uint32_t ticks_of(const Prepared& prepared) {
+  return static_cast<std::uint32_t>(std::max(1.0, std::round(prepared.experiment.duration_s / prepared.step_s)));
+}
+
+/// Progress along the course that the same robots make from the same poses where nothing stands in their way.
+Result<std::vector<FreeGround>> drive_free_ground(const Prepared& prepared, const RunOptions& options,
+                                                  const std::vector<Pose2>& starts) {
+  auto course = make_course(prepared, options, prepared.open_ground, starts);
+  if (!course) return tl::unexpected<Error>(course.error());
+  std::vector<FreeGround> progress(starts.size());
+  const std::uint32_t ticks = ticks_of(prepared);
+  for (std::uint32_t tick = 0; tick < ticks; ++tick) {
+    course->decide();
+    course->act();
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+      const Vector2 way = course->simulation().truth(static_cast<int>(i)).pose.position - starts[i].position;
+      const double along_m = way.dot(direction(starts[i].yaw.rad()));
+      progress[i].push_back(std::max(along_m, tick > 0 ? progress[i].back() : 0));
+    }
+  }
+  return progress;
+}
+
+/// What is measured of all robots.
+class Judge {
+ public:
+  Judge(const Prepared& prepared, const Course& course, std::vector<FreeGround> free_ground)
+      : prepared_(prepared), free_ground_(std::move(free_ground)) {
+    for (std::size_t i = 0; i < course.controllers().size(); ++i) {
+      robots_.emplace_back(*prepared.ground, course.simulation().truth(static_cast<int>(i)), prepared.robot->radius_m,
+                           *course.controllers()[i], free_ground_.empty() ? nullptr : &free_ground_[i]);
+    }
+  }
+  void update(const Course& course, double time_s) {
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      robots_[i].update(time_s, prepared_.step_s, course.simulation().truth(static_cast<int>(i)),
+                        course.controllers()[i]->values());
+    }
+  }
+  Measures measures(const Course& course) const {
+    Measures measures;
+    robots_.front().report(measures);
+    if (const sim::TrainerLog* trainer = course.simulation().trainer_log(0)) report_goals(trainer->records(), measures);
+    return measures;
+  }
+  /// The stop rule that is met, or "".
+  std::string stopped(const Course& course) const {
+    const sim::TrainerLog* trainer = course.simulation().trainer_log(0);
+    const Measures cheap = {{"at_far_wall", robots_.front().at_far_wall() ? 1 : 0},
+                            {"goals_done", trainer != nullptr && trainer->done() ? 1 : 0},
+                            {"progress_m", robots_.front().progress_m()}};
+    for (const Criterion& criterion : prepared_.experiment.stop) {
+      if (criterion.met(cheap)) return criterion.text();
+    }
+    return "";
+  }
+
+ private:
+  const Prepared& prepared_;
+  std::vector<FreeGround> free_ground_;
+  std::vector<RobotMeasures> robots_;
+};
+
+void judge(const Experiment& experiment, RunResult& result) {
+  result.success = true;
+  for (const Criterion& criterion : experiment.success) {
+    if (criterion.met(result.measures)) continue;
+    result.success = false;
+    result.reason += fmt::format("; not met: {} ({})", criterion.text(), shortest(measure(result.measures, criterion.name)));
+  }
+}
+
+std::size_t concluded_goals(const Course& course) {
+  const sim::TrainerLog* trainer = course.simulation().trainer_log(0);
+  if (trainer == nullptr) return 0;
+  const auto goals = trainer->records();
+  return static_cast<std::size_t>(std::count_if(goals.begin(), goals.end(), [](const sim::GoalRecord& goal) {
+    return goal.outcome != sim::GoalOutcome::Open;
+  }));
+}
+
+}  // namespace
+
+Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
+  auto course = make_course(prepared, options, prepared.ground, {});
+  if (!course) return tl::unexpected<Error>(course.error());
+  std::vector<FreeGround> free_ground;
+  if (prepared.open_ground != nullptr) {
+    std::vector<Pose2> starts;
+    for (int i = 0; i < prepared.experiment.robots; ++i) starts.push_back(course->simulation().truth(i).pose);
+    auto driven = drive_free_ground(prepared, options, starts);
+    if (!driven) return tl::unexpected<Error>(driven.error());
+    free_ground = std::move(*driven);
+  }
+  Judge measured(prepared, *course, std::move(free_ground));
+  auto recording = Recording::start(prepared, options, course->simulation(), course->controllers());
+  if (!recording) return tl::unexpected<Error>(recording.error());
+
+  RunResult result;
+  result.seed = options.seed;
+  result.reason = "duration over";
+  const Pace pace(options.pace);
+  const std::uint32_t ticks = ticks_of(prepared);
+  std::size_t goals = 0;
+  for (std::uint32_t tick = 0; tick < ticks; ++tick) {
+    course->decide();
+    recording->write(course->tick(), course->time_s());
+    course->act();
+    const double time_s = (tick + 1) * prepared.step_s;
+    measured.update(*course, time_s);
+    if (const std::size_t now = concluded_goals(*course); options.learned && now != goals) {
+      goals = now;
+      options.learned(course->controllers().front()->experience());
+    }
+    if (const std::string stop = measured.stopped(*course); !stop.empty()) {
+      result.reason = "stopped: " + stop;
+      break;
+    }
+    if (options.progress && !options.progress((tick + 1.0) / ticks)) {
+      result.reason = "interrupted";
+      break;
+    }
+    pace.wait_until(time_s);
+  }
+  result.measures = measured.measures(*course);
+  for (int i = 0; i < prepared.experiment.robots; ++i) {
+    const sim::Truth& truth = course->simulation().truth(i);
+    result.contacts.count += truth.contacts;
+    result.contacts.fastest_mps = std::max(result.contacts.fastest_mps, truth.fastest_contact_mps);
+  }
+  result.digest = course->digest();
+  result.experience = course->controllers().front()->experience();
+  judge(prepared.experiment, result);
+  if (options.learned) options.learned(result.experience);
+  if (auto finished = recording->finish(result); !finished) return tl::unexpected<Error>(finished.error());
+  return result;
+}
+
+}  // namespace ganglion

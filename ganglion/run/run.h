@@ -1,0 +1,47 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "ganglion/graph/controller.h"
+#include "ganglion/run/prepared.h"
+
+namespace ganglion {
+
+struct RunOptions {
+  std::uint64_t seed = 1;
+  std::uint32_t episode = 0;
+  double pace = 0;                      ///< Times real time; 0 = as fast as can be.
+  std::filesystem::path run_file;       ///< Empty: nothing is recorded.
+  std::vector<ModuleExperience> experience;  ///< What every controller starts with.
+  /// Called between ticks with the share done in [0, 1]; returns false to end the run early.
+  std::function<bool(double)> progress;
+  /// Called when a goal was concluded and at the end, with what robot 0 has learned.
+  std::function<void(const std::vector<ModuleExperience>&)> learned;
+};
+
+struct Contacts {
+  int count = 0;
+  double fastest_mps = 0;
+};
+
+/// What came of one run.
+struct RunResult {
+  std::uint64_t seed = 0;
+  bool success = false;
+  std::string reason;  ///< "duration over", and the criteria that were not met.
+  std::string digest;
+  Contacts contacts;   ///< Of all robots.
+  Measures measures;   ///< Of robot 0; with several robots the worst of each is not taken: see docs/manual/run.md.
+  std::vector<std::string> files;
+  std::vector<ModuleExperience> experience;  ///< Of robot 0 at the end.
+};
+
+/// Carries out one run. Fails where a component refuses its parameters, the robot finds no place, or the file cannot be
+/// written. The result depends on the experiment, the experience and the seed only.
+Result<RunResult> run(const Prepared& prepared, const RunOptions& options);
+
+/// Name of the experience a run started from, among the attachments of its file.
+inline constexpr std::string_view kExperienceAttachment = "experience";
+
+}  // namespace ganglion

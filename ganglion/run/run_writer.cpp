@@ -1,0 +1,211 @@
+#include "ganglion/run/run_writer.h"
+
+#include <nlohmann/json.hpp>
+
+#include "ganglion/base/hash.h"
+#include "ganglion/run/exhibit_writer.h"
+#include "ganglion/sim/world/scene.h"
+
+namespace ganglion {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kInfo = 2, kWarning = 3;  // levels of foxglove.Log
+
+std::vector<SignalColumn> columns_of(const Controller& controller) {
+  std::vector<SignalColumn> columns = {
+      {"truth.x_m", "m"}, {"truth.y_m", "m"}, {"truth.yaw_rad", "rad"}, {"truth.touching", ""}, {"truth.energy_J", "J"}};
+  for (const Signal& signal : controller.signals()) columns.push_back({signal.name, signal.unit});
+  return columns;
+}
+
+/// A signal that shows a sensor's range: the sensation that is bound to one of its channels.
+std::string signal_of(const std::string& sensor, const ControllerModel& model) {
+  for (const ComponentModel& component : model.components) {
+    if (component.component_class == ComponentClass::Sensation && component.channel == sensor + ".range") {
+      return component.id;
+    }
+  }
+  return "";
+}
+
+Json sensor_json(const sim::SensorModel& sensor, const sim::RobotModel& robot, const ControllerModel& model) {
+  Json json = {{"id", sensor.id},
+               {"kind", sensor.kind->descriptor.name},
+               {"x_m", sensor.mount.position.x},
+               {"y_m", sensor.mount.position.y},
+               {"yaw_rad", sensor.mount.yaw.rad()},
+               {"cone_rad", 0},
+               {"max_range_m", 0},
+               {"signal", signal_of(sensor.id, model)}};
+  if (sensor.kind->descriptor.parameter("cone_deg") != nullptr) {
+    json["cone_rad"] = Angle::from_deg(sensor.parameters.real("cone_deg")).rad();
+  }
+  if (const SensationChannel* range = robot.description.sensation(sensor.id + ".range")) json["max_range_m"] = range->max;
+  return json;
+}
+
+Json coordinators_json(const ControllerModel& model) {
+  Json list = Json::array();
+  for (const ComponentModel& component : model.components) {
+    if (component.component_class != ComponentClass::Coordinator) continue;
+    Json candidates = Json::array();
+    for (const Wire& wire : component.wires) {
+      for (const Source& source : wire.sources) {
+        if (source.kind == Source::Kind::ModuleCommand) candidates.push_back(source.text);
+      }
+    }
+    list.push_back({{"id", component.id}, {"candidates", candidates}});
+  }
+  return list;
+}
+
+/// The size of a map's cells, where a component keeps one.
+double cell_of(const ControllerModel& model) {
+  for (const ComponentModel& component : model.components) {
+    if (component.descriptor != nullptr && component.component_class == ComponentClass::Acting &&
+        component.descriptor->parameter("cell_m") != nullptr) {
+      return component.parameters.real("cell_m");
+    }
+  }
+  return 0;
+}
+
+}  // namespace
+
+RunWriter::RunWriter(RunRecorder& recorder, const Experiment& experiment, const ControllerModel& model,
+                     const sim::RobotModel& robot, const sim::Simulation& simulation,
+                     const std::vector<std::unique_ptr<Controller>>& controllers)
+    : recorder_(recorder),
+      simulation_(simulation),
+      controllers_(controllers),
+      maps_every_s_(experiment.maps_every_s),
+      cell_m_(cell_of(model)) {
+  for (std::size_t i = 0; i < controllers.size(); ++i) {
+    Robot one;
+    const auto columns = columns_of(*controllers[i]);
+    one.table = recorder.add_table(fmt::format("/robot{}/signals", i), columns);
+    one.row.resize(columns.size());
+    one.statuses.assign(static_cast<std::size_t>(controllers[i]->components()), 0);
+    robots_.push_back(std::move(one));
+  }
+  write_scene(robot, model);
+}
+
+void RunWriter::write_scene(const sim::RobotModel& robot, const ControllerModel& model) {
+  recorder_.write_json("/scene", "ganglion.Scene", 0, sim::scene_json(simulation_.world()));
+  Json sensors = Json::array();
+  for (const sim::SensorModel& sensor : robot.sensors) sensors.push_back(sensor_json(sensor, robot, model));
+  Json robots = Json::array();
+  for (std::size_t i = 0; i < controllers_.size(); ++i) {
+    robots.push_back({{"name", robot.description.name},
+                      {"length_m", robot.description.length_m},
+                      {"width_m", robot.description.width_m},
+                      {"radius_m", robot.radius_m},
+                      {"sensors", sensors}});
+  }
+  const Json run = {{"robots", robots}, {"coordinators", coordinators_json(model)}, {"cell_m", cell_m_}};
+  recorder_.write_json("/run", "ganglion.Run", 0, run.dump());
+}
+
+void RunWriter::write(std::uint32_t tick, double time_s) {
+  write_movers(time_s);
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    Robot& robot = robots_[i];
+    const sim::Truth& truth = simulation_.truth(static_cast<int>(i));
+    robot.row[0] = truth.pose.position.x;
+    robot.row[1] = truth.pose.position.y;
+    robot.row[2] = truth.pose.yaw.rad();
+    robot.row[3] = truth.touched ? 1 : 0;
+    robot.row[4] = truth.energy_J;
+    const auto values = controllers_[i]->values();
+    std::copy(values.begin(), values.end(), robot.row.begin() + 5);
+    recorder_.write_row(robot.table, tick, time_s, robot.row);
+    write_requests(static_cast<int>(i), time_s);
+    write_goals(static_cast<int>(i), time_s);
+  }
+  if (time_s + 1e-9 < next_maps_s_) return;
+  next_maps_s_ = time_s + maps_every_s_;
+  for (std::size_t i = 0; i < robots_.size(); ++i) write_exhibits(static_cast<int>(i), time_s);
+}
+
+void RunWriter::write_movers(double time_s) {
+  std::uint64_t hash = 1;
+  for (const sim::MoverState& mover : simulation_.world().movers()) {
+    hash = combine(hash, canonical_bits(mover.pose.position.x));
+    hash = combine(hash, canonical_bits(mover.pose.position.y) ^ canonical_bits(mover.pose.yaw.rad()));
+  }
+  if (hash == movers_shown_ || simulation_.world().movers().empty()) return;
+  movers_shown_ = hash;
+  Json movers = Json::array();
+  for (const sim::MoverState& mover : simulation_.world().movers()) {
+    movers.push_back({{"id", mover.id},
+                      {"x_m", mover.pose.position.x},
+                      {"y_m", mover.pose.position.y},
+                      {"yaw_rad", mover.pose.yaw.rad()}});
+  }
+  recorder_.write_json("/movers", "ganglion.Movers", time_s, Json{{"movers", movers}}.dump());
+}
+
+void RunWriter::log(double time_s, int level, const std::string& name, const std::string& message) {
+  const auto seconds = static_cast<long>(time_s);
+  const Json json = {
+      {"timestamp", {{"sec", seconds}, {"nsec", static_cast<long>((time_s - static_cast<double>(seconds)) * 1e9)}}},
+      {"level", level},
+      {"message", message},
+      {"name", name}};
+  recorder_.write_json("/log", "foxglove.Log", time_s, json.dump());
+}
+
+void RunWriter::write_requests(int robot, double time_s) {
+  const Controller& controller = *controllers_[static_cast<std::size_t>(robot)];
+  for (int i = 0; i < controller.components(); ++i) {
+    const RequestSlot* request = controller.request(i);
+    if (request == nullptr) continue;
+    std::uint8_t& before = robots_[static_cast<std::size_t>(robot)].statuses[static_cast<std::size_t>(i)];
+    const auto now = static_cast<std::uint8_t>(request->status);
+    if (now != before && request->status == RequestStatus::Withdrawn) {
+      log(time_s, kWarning, controller.id(i),
+          fmt::format("withdrawn: {} ({:g}, {:g})", name_of(request->reason.code), request->reason.first,
+                      request->reason.second));
+    }
+    before = now;
+  }
+}
+
+void RunWriter::write_goals(int robot, double time_s) {
+  const sim::TrainerLog* trainer = simulation_.trainer_log(robot);
+  if (trainer == nullptr) return;
+  Robot& one = robots_[static_cast<std::size_t>(robot)];
+  const auto goals = trainer->records();
+  one.outcomes.resize(goals.size(), sim::GoalOutcome::TimedOut);
+  for (std::size_t g = one.goals > 0 ? one.goals - 1 : 0; g < goals.size(); ++g) {
+    const bool fresh = g >= one.goals;
+    if (!fresh && one.outcomes[g] == goals[g].outcome) continue;
+    one.outcomes[g] = goals[g].outcome;
+    const std::string state = goals[g].outcome == sim::GoalOutcome::Open ? "set" : std::string(name_of(goals[g].outcome));
+    const Json json = {{"index", g},
+                       {"x_m", (goals[g].goal.column + 0.5) * cell_m_},
+                       {"y_m", (goals[g].goal.row + 0.5) * cell_m_},
+                       {"state", state},
+                       {"reason", name_of(goals[g].reason)}};
+    recorder_.write_json(fmt::format("/robot{}/goals", robot), "ganglion.Goal", time_s, json.dump());
+    log(time_s, kInfo, "trainer",
+        fmt::format("goal {} at cell {}, {}: {}", g + 1, goals[g].goal.column, goals[g].goal.row, state));
+  }
+  one.goals = goals.size();
+}
+
+void RunWriter::write_exhibits(int robot, double time_s) {
+  const Controller& controller = *controllers_[static_cast<std::size_t>(robot)];
+  for (int i = 0; i < controller.components(); ++i) {
+    const Component* component = controller.component(i);
+    if (component == nullptr) continue;
+    ExhibitWriter writer(recorder_, robots_[static_cast<std::size_t>(robot)].shown, fmt::format("robot{}", robot),
+                         controller.id(i), time_s);
+    component->show(writer);
+  }
+}
+
+}  // namespace ganglion

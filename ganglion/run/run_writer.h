@@ -1,0 +1,51 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ganglion/graph/controller.h"
+#include "ganglion/record/run_recorder.h"
+#include "ganglion/run/experiment.h"
+#include "ganglion/sim/simulation/simulation.h"
+
+namespace ganglion {
+
+/// Writes a run as it goes: signals of every robot at every tick, the scene once, movers, maps and routes when they
+/// change, goals and withdrawals as they happen (docs/manual/run_file.md lists the topics).
+class RunWriter {
+ public:
+  RunWriter(RunRecorder& recorder, const Experiment& experiment, const ControllerModel& model,
+            const sim::RobotModel& robot, const sim::Simulation& simulation,
+            const std::vector<std::unique_ptr<Controller>>& controllers);
+  /// The tick just decided: truth as it was sensed, and what the controllers made of it. Allocates only for what changed.
+  void write(std::uint32_t tick, double time_s);
+
+ private:
+  struct Robot {
+    int table = -1;
+    std::vector<double> row;
+    std::map<std::string, std::uint64_t> shown;  ///< Hash of what each topic showed last.
+    std::vector<std::uint8_t> statuses;          ///< Of each component's request.
+    std::size_t goals = 0;
+    std::vector<sim::GoalOutcome> outcomes;
+  };
+  void write_scene(const sim::RobotModel& robot, const ControllerModel& model);
+  void write_movers(double time_s);
+  void write_requests(int robot, double time_s);
+  void write_goals(int robot, double time_s);
+  void write_exhibits(int robot, double time_s);
+  void log(double time_s, int level, const std::string& name, const std::string& message);
+
+  RunRecorder& recorder_;
+  const sim::Simulation& simulation_;
+  const std::vector<std::unique_ptr<Controller>>& controllers_;
+  double maps_every_s_;
+  double next_maps_s_ = 0;
+  double cell_m_ = 0;
+  std::uint64_t movers_shown_ = 0;
+  std::vector<Robot> robots_;
+};
+
+}  // namespace ganglion

@@ -1,0 +1,151 @@
+#include "ganglion/sensing/compass_decoder/compass_decoder.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ganglion/math/functions.h"
+#include "ganglion/units/angle.h"
+
+namespace ganglion {
+namespace {
+
+enum Output : std::size_t { kYaw, kStrength, kCalibrated };
+
+constexpr int kSectors = 12;
+constexpr std::uint32_t kAllSectors = (1U << kSectors) - 1;
+constexpr double kMost_V = 1000;  // beyond any real device: a damaged file
+constexpr std::string_view kPart = "calibration";
+
+constexpr std::array kPorts = {
+    PortDescriptor{.name = "va", .unit = "V", .help = {"Cosine voltage", "Voltaje del coseno"}},
+    PortDescriptor{.name = "vb", .unit = "V", .help = {"Sine voltage", "Voltaje del seno"}},
+    PortDescriptor{.name = "yaw",
+                   .role = PortRole::Output,
+                   .unit = "rad",
+                   .type = ValueType::Circular,
+                   .help = {"Yaw, counter-clockwise from east", "Ángulo, antihorario desde el este"}},
+    PortDescriptor{.name = "strength",
+                   .role = PortRole::Output,
+                   .help = {"Length of the measured vector, 1 = as calibrated",
+                            "Longitud del vector medido, 1 = según calibración"}},
+    PortDescriptor{.name = "calibrated",
+                   .role = PortRole::Output,
+                   .type = ValueType::Discrete,
+                   .help = {"1 once a full turn was seen", "1 tras ver una vuelta completa"}},
+};
+
+constexpr std::array kParameters = {
+    ParameterDescriptor{.name = "centre_V",
+                        .unit = "V",
+                        .preset = 2.5,
+                        .min = 0,
+                        .max = 24,
+                        .help = {"Middle voltage until calibrated", "Voltaje medio hasta calibrar"}},
+    ParameterDescriptor{.name = "amplitude_V",
+                        .unit = "V",
+                        .preset = 0.594,
+                        .min = 0.001,
+                        .max = 24,
+                        .help = {"Amplitude until calibrated: the one that the listing's 107.14 deg/V fits",
+                                 "Amplitud hasta calibrar: la que encaja con los 107,14 grados/V del programa"},
+                        .ours = true},
+    ParameterDescriptor{.name = "least_strength",
+                        .preset = 0.25,
+                        .min = 0,
+                        .max = 1,
+                        .help = {"A weaker vector is no heading", "Un vector más débil no da rumbo"},
+                        .ours = true},
+    ParameterDescriptor{.name = "most_strength",
+                        .preset = 2,
+                        .min = 1,
+                        .max = 100,
+                        .help = {"A stronger vector is no heading", "Un vector más fuerte no da rumbo"},
+                        .ours = true},
+    ParameterDescriptor{.name = "learn",
+                        .type = ParameterType::Boolean,
+                        .preset = 1,
+                        .help = {"Calibrate by the first full turn", "Calibrar con la primera vuelta completa"},
+                        .ours = true},
+};
+
+bool plausible(const VoltageSpan& span) noexcept {
+  return std::fabs(span.low_V) < kMost_V && std::fabs(span.high_V) < kMost_V && span.low_V < span.high_V;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<SensingModule>> CompassDecoder::make(const Parameters& parameters) {
+  return std::make_unique<CompassDecoder>(CompassDecoderConfig{.centre_V = parameters.real("centre_V"),
+                                                               .amplitude_V = parameters.real("amplitude_V"),
+                                                               .least_strength = parameters.real("least_strength"),
+                                                               .most_strength = parameters.real("most_strength"),
+                                                               .learns = parameters.boolean("learn")});
+}
+
+void CompassDecoder::perceive(const Feedback& feedback) noexcept {
+  const double va = feedback.value(0);
+  const double vb = feedback.value(1);
+  const double cosine = reduced(va, va_);
+  const double sine = reduced(vb, vb_);
+  const double strength = math::hypot(cosine, sine);
+  double yaw_rad = std::numeric_limits<double>::quiet_NaN();
+  if (strength >= config_.least_strength && strength <= config_.most_strength) {  // false for NaN
+    const double bearing_rad = math::atan2(sine, cosine);
+    yaw_rad = wrap_rad(kPi / 2 - bearing_rad);
+    if (config_.learns && !calibrated_) learn(va, vb, bearing_rad);
+  }
+  put(kYaw, yaw_rad);
+  put(kStrength, strength);
+  put(kCalibrated, calibrated_ ? 1 : 0);
+}
+
+void CompassDecoder::learn(double va, double vb, double bearing_rad) noexcept {
+  va_ = {std::min(va_.low_V, va), std::max(va_.high_V, va)};
+  vb_ = {std::min(vb_.low_V, vb), std::max(vb_.high_V, vb)};
+  const int sector = static_cast<int>(std::floor((bearing_rad + kPi) / (2 * kPi) * kSectors));
+  sectors_ |= 1U << std::clamp(sector, 0, kSectors - 1);
+  calibrated_ = sectors_ == kAllSectors;
+}
+
+double CompassDecoder::reduced(double voltage, const VoltageSpan& span) const noexcept {
+  if (!calibrated_) return (voltage - config_.centre_V) / config_.amplitude_V;
+  return (2 * voltage - span.low_V - span.high_V) / (span.high_V - span.low_V);
+}
+
+void CompassDecoder::save(std::vector<ExperiencePart>& parts) const {
+  if (!calibrated_) return;
+  ByteWriter writer;
+  for (const double voltage : {va_.low_V, va_.high_V, vb_.low_V, vb_.high_V}) writer.f64(voltage);
+  parts.push_back({std::string(kPart), writer.take()});
+}
+
+Result<void> CompassDecoder::load(std::uint32_t version, std::span<const ExperiencePart> parts) {
+  if (version != 1) return fail(ErrorCode::Unsupported, "calibration of version {}, this program knows 1", version);
+  for (const ExperiencePart& part : parts) {
+    if (part.name != kPart) continue;
+    ByteReader reader(part.bytes);
+    VoltageSpan va{reader.f64(), reader.f64()};
+    VoltageSpan vb{reader.f64(), reader.f64()};
+    if (!reader.complete() || !plausible(va) || !plausible(vb)) {
+      return fail(ErrorCode::Corrupt, "calibration is damaged: {} bytes, must be 4 voltages, low < high",
+                  part.bytes.size());
+    }
+    va_ = va;
+    vb_ = vb;
+    calibrated_ = true;
+  }
+  return {};
+}
+
+extern constinit const SensingModuleKind compass_decoder_kind{
+    .descriptor = {.component_class = ComponentClass::Sensing,
+                   .name = "CompassDecoder",
+                   .summary = {"Two voltages of an analogue compass to yaw, calibrated by one turn",
+                               "Dos voltajes de una brújula analógica a ángulo, calibrada con una vuelta"},
+                   .ports = kPorts,
+                   .parameters = kParameters,
+                   .source = "ours"},
+    .make = CompassDecoder::make};
+
+}  // namespace ganglion

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "ganglion/sim/robot/wheel_pair.h"
+
+namespace ganglion::sim {
+
+/// Two tracks. They skid sideways in turns, so the body turns as if they stood `skid_factor` times as far apart.
+/// Command `drive`: duties of left and right, each in [-1, 1], safe 0.
+class Tracked final : public Drive {
+ public:
+  explicit Tracked(const WheelPairConfig& config, double skid_factor) noexcept
+      : tracks_(widened(config, skid_factor)) {}
+
+  CommandElement element(std::size_t n) const override { return wheel_pair_element(n); }
+  void reset() noexcept override { tracks_.reset(); }
+  void command(std::span<const double> values, const Pose2&, double, bool) noexcept override {
+    tracks_.command(values[0], values[1]);
+  }
+  Movement move(const Pose2& pose, double step_s) noexcept override { return tracks_.move(pose, step_s); }
+
+ private:
+  static WheelPairConfig widened(WheelPairConfig config, double skid_factor) noexcept {
+    config.track_m *= skid_factor;
+    return config;
+  }
+
+  WheelPair tracks_;
+};
+
+extern const DriveKind tracked_kind;
+
+}  // namespace ganglion::sim

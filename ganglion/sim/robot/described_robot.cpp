@@ -1,0 +1,81 @@
+#include <array>
+
+#include "ganglion/base/text.h"
+#include "ganglion/module/command.h"
+#include "ganglion/sim/robot/robot_reader.h"
+
+namespace ganglion::sim {
+namespace {
+
+using config::Range;
+using config::Table;
+
+constexpr std::array<std::string_view, 3> kTypes = {"real", "discrete", "circular"};
+
+void read_sensation(Table& table, std::vector<std::string>& names, RobotDescription& description) {
+  SensationChannel channel;
+  channel.name = table.text("name");
+  table.set_context(channel.name);
+  check_name(table, "name", channel.name, true, names);
+  channel.unit = table.text("unit", "");
+  channel.type = static_cast<ValueType>(table.choice("type", kTypes, 0));
+  channel.elements = table.texts("elements");
+  const Limits all;
+  channel.min = table.number("min", all.min);
+  channel.max = table.number("max", all.max);
+  if (!(channel.min <= channel.max)) {
+    table.problem("max", ErrorCode::BadParameter, "max is {}, must be >= min = {}", shortest(channel.max),
+                  shortest(channel.min));
+  }
+  channel.period_s = table.number("period_s", 0, config::kNotNegative);
+  channel.mount = {{table.number("x_m", 0), table.number("y_m", 0)},
+                   Angle::from_deg(table.number("yaw_deg", 0, Range{-360, 360})).wrapped()};
+  description.sensations.push_back(std::move(channel));
+}
+
+void read_command(Table& table, std::vector<std::string>& names, RobotDescription& description) {
+  CommandChannel channel;
+  channel.name = table.text("name");
+  table.set_context(channel.name);
+  check_name(table, "name", channel.name, true, names);
+  auto elements = table.texts("elements");
+  if (elements.empty()) elements.push_back(channel.name);
+  const std::size_t count = elements.size();
+  if (count > static_cast<std::size_t>(kMaxCommandValues)) {
+    table.problem("elements", ErrorCode::TooLarge, "has {} elements; the limit is {}", count, kMaxCommandValues);
+  }
+  auto units = table.texts("units");
+  if (!units.empty() && units.size() != count) {
+    table.problem("units", ErrorCode::BadParameter, "units has {} texts, must have one for each of {} elements",
+                  units.size(), count);
+  }
+  units.resize(count);
+  const auto min = table.numbers("min", std::vector<double>(count, -1), count);
+  const auto max = table.numbers("max", std::vector<double>(count, 1), count);
+  const auto safe = table.numbers("safe", std::vector<double>(count, 0), count);
+  for (std::size_t n = 0; n < count; ++n) {
+    if (!(min[n] <= safe[n] && safe[n] <= max[n])) {
+      table.problem("safe", ErrorCode::BadParameter, "{}: safe is {}, must be in [{}, {}]", elements[n],
+                    shortest(safe[n]), shortest(min[n]), shortest(max[n]));
+    }
+    channel.elements.push_back({elements[n], units[n], min[n], max[n], safe[n]});
+  }
+  description.commands.push_back(std::move(channel));
+}
+
+}  // namespace
+
+void read_described(Table& root, RobotDescription& description) {
+  for (const char* key : {"drive", "sensor", "energy", "substep_s"}) {
+    if (root.has(key)) {
+      root.problem(key, ErrorCode::BadParameter,
+                   "{} does not go with [[sensation]] and [[command]]: a robot is either simulated or described", key);
+    }
+    root.known(key);
+  }
+  std::vector<std::string> sensations, commands;
+  each_table(root, "sensation", [&](Table& table) { read_sensation(table, sensations, description); });
+  each_table(root, "command", [&](Table& table) { read_command(table, commands, description); });
+}
+
+}  // namespace ganglion::sim

@@ -1,0 +1,185 @@
+#include "ganglion/sim/robot/robot_model.h"
+
+#include <cmath>
+
+#include "ganglion/base/text.h"
+#include "ganglion/sim/robot/robot_reader.h"
+
+namespace ganglion::sim {
+namespace {
+
+using config::Range;
+using config::Table;
+
+constexpr Range kSize{1e-3, 100};
+
+/// The kind of that name; a problem with the nearest names if there is none.
+template <class Product>
+const Kind<Product>* find_kind(Table& table, std::span<const Kind<Product>* const> kinds) {
+  const std::string name = table.text("kind");
+  std::vector<std::string> names;
+  for (const auto* kind : kinds) {
+    if (!name.empty() && (kind->descriptor.name == name || kind->descriptor.paper_name == name)) return kind;
+    names.emplace_back(kind->descriptor.name);
+  }
+  if (table.has("kind") && !name.empty()) {
+    table.problem("kind", ErrorCode::UnknownKey, "there is no kind \"{}\"{}", name, suggestion(name, names));
+  }
+  // Its parameters cannot be told from slips: only the kind is reported.
+  for (const std::string& key : table.keys()) table.known(key);
+  return nullptr;
+}
+
+/// A device of that kind, to see whether its parameters agree; null with a problem if they do not.
+template <class Product>
+std::unique_ptr<Product> made(const Kind<Product>& kind, const Parameters& parameters, const Table& table) {
+  auto product = kind.make(parameters);
+  if (product) return std::move(*product);
+  table.problem("kind", product.error().code, "{}", product.error().message);
+  return nullptr;
+}
+
+void read_body(Table& root, RobotModel& model) {
+  if (!root.has("body")) {
+    root.problem("body", ErrorCode::MissingKey, "[body] is missing: length_m and width_m of the robot");
+    return;
+  }
+  const std::size_t before = root.problems().size();
+  Table body = root.table("body");
+  RobotDescription& description = model.description;
+  description.length_m = body.number("length_m", kSize);
+  description.width_m = body.number("width_m", kSize);
+  const double half_diagonal_m =
+      std::sqrt(description.length_m * description.length_m + description.width_m * description.width_m) / 2;
+  const double radius_m = body.number("radius_m", half_diagonal_m, kSize);
+  if (root.problems().size() == before) model.radius_m = radius_m;  // else mounts cannot be judged
+}
+
+void read_drive(Table table, const SimKinds& kinds, RobotModel& model) {
+  const DriveKind* kind = find_kind(table, kinds.drives);
+  if (kind == nullptr) return;
+  model.drive = kind;
+  model.drive_parameters = table.parameters(kind->descriptor.parameters);
+  const auto drive = made(*kind, model.drive_parameters, table);
+  if (drive == nullptr) return;
+  for (const PortDescriptor& port : kind->descriptor.ports) {
+    CommandChannel channel{std::string(port.name), {}};
+    for (int n = 0; n < port.size; ++n) channel.elements.push_back(drive->element(static_cast<std::size_t>(n)));
+    model.description.commands.push_back(std::move(channel));
+  }
+}
+
+void describe_channels(const SensorModel& sensor, const Sensor& device, RobotDescription& description) {
+  std::size_t n = 0;
+  for (const PortDescriptor& port : sensor.kind->descriptor.ports) {
+    const Limits limits = device.limits(n++);
+    description.sensations.push_back({.name = sensor.id + "." + std::string(port.name),
+                                      .unit = std::string(port.unit),
+                                      .type = port.type,
+                                      .elements = {port.elements.begin(), port.elements.end()},
+                                      .min = limits.min,
+                                      .max = limits.max,
+                                      .period_s = sensor.period_s,
+                                      .mount = sensor.mount});
+  }
+}
+
+void read_sensor(Table& table, const SimKinds& kinds, std::vector<std::string>& ids, RobotModel& model) {
+  SensorModel sensor;
+  sensor.id = table.text("id");
+  table.set_context(sensor.id);
+  check_name(table, "id", sensor.id, false, ids);
+  sensor.kind = find_kind(table, kinds.sensors);
+  if (sensor.kind == nullptr) return;
+  const Parameters common = table.parameters(sensor_parameters());
+  sensor.mount = {{common.real("x_m"), common.real("y_m")}, Angle::from_deg(common.real("yaw_deg")).wrapped()};
+  sensor.period_s = common.real("period_s");
+  sensor.phase_s = common.real("phase_s");
+  sensor.fault = static_cast<Fault>(common.choice_index("fault"));
+  sensor.fault_from_s = common.real("fault_from_s");
+  if (model.radius_m > 0 && sensor.mount.position.length() > model.radius_m * (1 + 1e-9)) {
+    table.problem("x_m", ErrorCode::BadParameter,
+                  "sits {:.3g} m from the centre, must be on the body: within its radius of {:.3g} m",
+                  sensor.mount.position.length(), model.radius_m);
+  }
+  sensor.parameters = table.parameters(sensor.kind->descriptor.parameters);
+  const auto device = made(*sensor.kind, sensor.parameters, table);
+  if (device == nullptr) return;
+  describe_channels(sensor, *device, model.description);
+  model.sensors.push_back(std::move(sensor));
+}
+
+void read_energy(Table table, EnergyModel& energy) {
+  const Parameters read = table.parameters(energy_parameters());
+  energy = {read.real("idle_W"), read.real("drive_W"), read.real("travel_J_per_m"), read.real("contact_J")};
+}
+
+void read_simulated(Table& root, const SimKinds& kinds, RobotModel& model) {
+  if (!root.has("drive")) {
+    root.problem("drive", ErrorCode::MissingKey,
+                 "[drive] is missing: a robot with sensors must have one; a bare description has [[sensation]] and "
+                 "[[command]] instead");
+  } else {
+    read_drive(root.table("drive"), kinds, model);
+  }
+  read_energy(root.table("energy"), model.energy);
+  model.substep_s = root.number("substep_s", 0.01, Range{1e-4, 10});
+  std::vector<std::string> ids;
+  each_table(root, "sensor", [&](Table& table) { read_sensor(table, kinds, ids, model); });
+}
+
+std::shared_ptr<const RobotModel> read_robot(const config::Value& value, const SimKinds& kinds, Problems& problems) {
+  const std::size_t before = problems.size();
+  auto model = std::make_shared<RobotModel>();
+  {
+    Table root(value, "", problems);
+    check_format(root);
+    model->description.name = root.text("name");
+    model->description.tick_s = root.number("tick_s", 0.1, Range{1e-3, 60});
+    read_body(root, *model);
+    if (root.has("sensation") || root.has("command")) {
+      read_described(root, model->description);
+    } else {
+      read_simulated(root, kinds, *model);
+    }
+  }
+  if (problems.size() != before) return nullptr;
+  return model;
+}
+
+}  // namespace
+
+std::shared_ptr<const RobotModel> load_robot(const std::filesystem::path& path, const SimKinds& kinds,
+                                             std::span<const config::Override> overrides, Problems& problems) {
+  auto value = config::load(path);
+  if (!value) {
+    problems.add(value.error());
+    return nullptr;
+  }
+  const std::size_t before = problems.size();
+  for (const config::Override& override : overrides) {
+    const auto applied = config::apply(*value, override);
+    if (!applied) problems.add(applied.error());
+  }
+  auto model = read_robot(*value, kinds, problems);
+  return problems.size() == before ? model : nullptr;
+}
+
+std::shared_ptr<const RobotModel> parse_robot(std::string_view text, const std::string& file_name,
+                                              const SimKinds& kinds, Problems& problems) {
+  const auto value = config::parse(text, file_name);
+  if (!value) {
+    problems.add(value.error());
+    return nullptr;
+  }
+  return read_robot(*value, kinds, problems);
+}
+
+std::optional<RobotDescription> load_description(const std::filesystem::path& path, const SimKinds& kinds,
+                                                 std::span<const config::Override> overrides, Problems& problems) {
+  const auto model = load_robot(path, kinds, overrides, problems);
+  if (model == nullptr) return std::nullopt;
+  return model->description;
+}
+
+}  // namespace ganglion::sim

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ganglion/application/description.h"
+#include "ganglion/config/table.h"
+#include "ganglion/sim/robot/drive.h"
+#include "ganglion/sim/robot/sensor.h"
+
+namespace ganglion::sim {
+
+/// The kinds a robot file may name; the program passes the generated lists.
+struct SimKinds {
+  std::span<const DriveKind* const> drives;
+  std::span<const SensorKind* const> sensors;
+};
+
+/// What a device does to a fault: for tests of graceful degradation.
+enum class Fault : std::uint8_t {
+  None,
+  Dead,   ///< No valid reading any more: NaN, or what the kind gives.
+  Stuck,  ///< Repeats its last reading as if it were fresh.
+};
+
+/// One sensor as the file has it, common keys apart from those of its kind.
+struct SensorModel {
+  std::string id;
+  const SensorKind* kind = nullptr;
+  Parameters parameters{{}};
+  Pose2 mount{};        ///< On the body.
+  double period_s = 0;  ///< 0 = fires for every frame.
+  double phase_s = 0;   ///< Time of its first firing: sensors that must not hear each other fire in turn.
+  Fault fault = Fault::None;
+  double fault_from_s = 0;
+};
+
+/// The energy a step takes: idle_W t + drive_W effort t + travel_J_per_m way + contact_J for each contact begun.
+struct EnergyModel {
+  double idle_W = 0;
+  double drive_W = 0;
+  double travel_J_per_m = 0;
+  double contact_J = 0;
+};
+
+/// A robot as its file states it: immutable, shared by any number of simulations and threads.
+struct RobotModel {
+  RobotDescription description;
+  double radius_m = 0;      ///< In contact and in sight of others the body is a disc about its centre.
+  double substep_s = 0.01;  ///< Motion and contacts are worked out in steps of at most this.
+  EnergyModel energy{};
+  const DriveKind* drive = nullptr;  ///< Null: the file only describes a robot that is not simulated.
+  Parameters drive_parameters{{}};
+  std::vector<SensorModel> sensors;
+
+  bool simulated() const noexcept { return drive != nullptr; }
+};
+
+/// Reads a robot.toml. Null if there were problems; all of them are in `problems`, each with its place.
+///
+/// A file has `format = 1`, `name`, `tick_s`, and `[body] length_m, width_m, radius_m`: the disc that collides has half
+/// the body's diagonal as its radius unless `radius_m` is given. Then either
+///   * a simulated robot: `[drive] kind` and its parameters, any number of `[[sensor]] id, kind, x_m, y_m, yaw_deg,
+///     period_s, phase_s, fault, fault_from_s` and its parameters, `[energy]` (EnergyModel), `substep_s`;
+///     sensations are then named "id.channel", and the command channel as the drive's kind names it; or
+///   * a bare description of a robot elsewhere: `[[sensation]] name, unit, type, elements, min, max, period_s, x_m,
+///   y_m,
+///     yaw_deg` and `[[command]] name, elements, units, min, max, safe`.
+std::shared_ptr<const RobotModel> load_robot(const std::filesystem::path& path, const SimKinds& kinds,
+                                             std::span<const config::Override> overrides, Problems& problems);
+/// The same from a text.
+std::shared_ptr<const RobotModel> parse_robot(std::string_view text, const std::string& file_name,
+                                              const SimKinds& kinds, Problems& problems);
+/// Only what a robot.toml of either form describes, to check a controller against.
+std::optional<RobotDescription> load_description(const std::filesystem::path& path, const SimKinds& kinds,
+                                                 std::span<const config::Override> overrides, Problems& problems);
+
+/// The keys that every [[sensor]] has besides its kind's parameters, as descriptors for schema, forms and manual.
+std::span<const ParameterDescriptor> sensor_parameters() noexcept;
+/// The keys of [energy].
+std::span<const ParameterDescriptor> energy_parameters() noexcept;
+
+}  // namespace ganglion::sim

@@ -1,0 +1,28 @@
+#include "ganglion/sim/robot/robot_reader.h"
+
+namespace ganglion::sim {
+namespace {
+
+constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
+
+}  // namespace
+
+void check_name(config::Table& table, std::string_view key, std::string name, bool dots,
+                std::vector<std::string>& taken) {
+  std::string undotted = name;
+  if (dots) std::erase(undotted, '.');
+  const bool plain =
+      !undotted.empty() && name.size() <= 64 && undotted.find_first_not_of(kLetters) == std::string::npos;
+  if (!plain && table.has(key)) {
+    table.problem(key, ErrorCode::BadParameter, "{} is \"{}\", must be 1 to 64 letters, digits, _{}", key, name,
+                  dots ? " or dots" : "");
+  }
+  for (const std::string& other : taken) {
+    if (other == name && !name.empty()) {
+      table.problem(key, ErrorCode::BadParameter, "{} \"{}\" is given twice", key, name);
+    }
+  }
+  taken.push_back(std::move(name));
+}
+
+}  // namespace ganglion::sim

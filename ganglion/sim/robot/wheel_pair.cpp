@@ -1,0 +1,56 @@
+#include "ganglion/sim/robot/wheel_pair.h"
+
+#include <cmath>
+
+#include "ganglion/math/functions.h"
+
+namespace ganglion::sim {
+namespace {
+
+/// sin(x) / x, also near 0.
+double sinc(double x) noexcept { return std::fabs(x) < 1e-4 ? 1 - x * x / 6 : math::sin(x) / x; }
+
+}  // namespace
+
+void WheelPair::reset() noexcept { left_ = right_ = Side{}; }
+
+void WheelPair::command(double left_duty, double right_duty) noexcept {
+  left_.duty = left_duty;
+  right_.duty = right_duty;
+}
+
+double WheelPair::roll(Side& side, double gain, double step_s) noexcept {
+  const double moving_duty = std::fabs(side.duty) < config_.dead_zone ? 0 : side.duty;
+  const double wanted_mps = moving_duty * gain * config_.full_scale_mps;
+  const double share = lag_.share(step_s);
+  const double missing_mps = side.speed_mps - wanted_mps;
+  side.speed_mps = wanted_mps + missing_mps * (1 - share);
+  return wanted_mps * step_s + missing_mps * config_.lag_s * share;
+}
+
+Movement WheelPair::move(const Pose2& pose, double step_s) noexcept {
+  Movement movement;
+  movement.left_m = roll(left_, config_.left_gain, step_s);
+  movement.right_m = roll(right_, config_.right_gain, step_s);
+  movement.turn_rad = (movement.right_m - movement.left_m) / config_.track_m;
+  const double half_turn_rad = movement.turn_rad / 2;
+  const double chord_m = (movement.left_m + movement.right_m) / 2 * sinc(half_turn_rad);
+  movement.displacement = direction(pose.yaw.rad() + half_turn_rad) * chord_m;
+  movement.effort = (std::fabs(left_.duty) + std::fabs(right_.duty)) / 2;
+  return movement;
+}
+
+WheelPairConfig wheel_pair_config(const Parameters& parameters) {
+  return {.full_scale_mps = parameters.real("full_scale_mps"),
+          .track_m = parameters.real("track_m"),
+          .dead_zone = parameters.real("dead_zone"),
+          .left_gain = parameters.real("left_gain"),
+          .right_gain = parameters.real("right_gain"),
+          .lag_s = parameters.real("lag_s")};
+}
+
+CommandElement wheel_pair_element(std::size_t n) {
+  return {.name = n == 0 ? "left" : "right", .unit = "", .min = -1, .max = 1, .safe = 0};
+}
+
+}  // namespace ganglion::sim

@@ -1,0 +1,91 @@
+#pragma once
+
+#include "ganglion/sim/robot/drive.h"
+#include "ganglion/sim/robot/first_order_lag.h"
+
+namespace ganglion::sim {
+
+struct WheelPairConfig {
+  double full_scale_mps = 0.2;  ///< Speed of a rim at duty 1.
+  double track_m = 0.18;        ///< Effective distance of the two contact lines: turn rate = (right - left) / track.
+  double dead_zone = 0;         ///< Duties of less do not move a wheel; others are not shifted by it.
+  double left_gain = 1;         ///< What a side makes of its duty: unequal motors.
+  double right_gain = 1;
+  double lag_s = 0;  ///< Time constant of both motors.
+};
+
+/// Two driven sides under duties in [-1, 1]: what differential and tracked drives share. Speeds follow the duties with
+/// a first-order lag; a sub-step is the exact arc of its mean speeds.
+class WheelPair {
+ public:
+  explicit WheelPair(const WheelPairConfig& config) noexcept : config_(config), lag_(config.lag_s) {}
+  void reset() noexcept;
+  void command(double left_duty, double right_duty) noexcept;
+  Movement move(const Pose2& pose, double step_s) noexcept;
+
+ private:
+  struct Side {
+    double duty = 0;
+    double speed_mps = 0;
+  };
+  /// The way of one rim within a step; its speed changes.
+  double roll(Side& side, double gain, double step_s) noexcept;
+
+  WheelPairConfig config_;
+  FirstOrderLag lag_;
+  Side left_, right_;
+};
+
+/// The parameters that both kinds list in their descriptors.
+inline constexpr ParameterDescriptor kFullScaleParameter{
+    .name = "full_scale_mps",
+    .unit = "m/s",
+    .preset = 0.2,
+    .min = 1e-6,
+    .max = 50,
+    .help = {"Speed of a side at duty 1", "Velocidad de un lado con mando 1"}};
+inline constexpr ParameterDescriptor kTrackParameter{
+    .name = "track_m",
+    .unit = "m",
+    .preset = 0.18,
+    .min = 1e-3,
+    .max = 100,
+    .help = {"Distance between the wheels' contact lines", "Distancia entre las líneas de contacto de las ruedas"}};
+inline constexpr ParameterDescriptor kDeadZoneParameter{
+    .name = "dead_zone",
+    .preset = 0,
+    .min = 0,
+    .max = 1,
+    .help = {"Duties of less do not move a side", "Mandos menores no mueven un lado"},
+    .ours = true};
+inline constexpr ParameterDescriptor kLeftGainParameter{
+    .name = "left_gain",
+    .preset = 1,
+    .min = 0,
+    .max = 2,
+    .help = {"Share of its speed that the left side reaches: unequal motors",
+             "Parte de su velocidad que alcanza el lado izquierdo: motores desiguales"},
+    .ours = true};
+inline constexpr ParameterDescriptor kRightGainParameter{
+    .name = "right_gain",
+    .preset = 1,
+    .min = 0,
+    .max = 2,
+    .help = {"Share of its speed that the right side reaches: unequal motors",
+             "Parte de su velocidad que alcanza el lado derecho: motores desiguales"},
+    .ours = true};
+inline constexpr ParameterDescriptor kMotorLagParameter{
+    .name = "lag_s",
+    .unit = "s",
+    .preset = 0,
+    .min = 0,
+    .max = 60,
+    .help = {"Time constant with which speeds follow duties",
+             "Constante de tiempo con que las velocidades siguen a los mandos"},
+    .ours = true};
+/// What those parameters say.
+WheelPairConfig wheel_pair_config(const Parameters& parameters);
+/// Element 0 is the left side's duty, 1 the right one's.
+CommandElement wheel_pair_element(std::size_t n);
+
+}  // namespace ganglion::sim

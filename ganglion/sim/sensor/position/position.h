@@ -1,0 +1,21 @@
+#pragma once
+
+#include "ganglion/sim/robot/sensor.h"
+
+namespace ganglion::sim {
+
+/// Tells where its mount is, in the world's frame: a tracking camera, a beacon system. Channel `position` {x, y} [m].
+class Position final : public Sensor {
+ public:
+  /// Standard deviation of each coordinate of one reading.
+  explicit Position(double noise_m) noexcept : noise_m_(noise_m) {}
+  Limits limits(std::size_t) const noexcept override { return {-1e6, 1e6}; }
+  void measure(const Scene& scene, Draws& draws, std::span<double> values) noexcept override;
+
+ private:
+  double noise_m_;
+};
+
+extern const SensorKind position_kind;
+
+}  // namespace ganglion::sim

@@ -1,0 +1,86 @@
+#include "ganglion/sim/sensor/sonar/sonar.h"
+
+#include <cmath>
+
+#include "ganglion/math/functions.h"
+
+namespace ganglion::sim {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kLiftOff_m = 1e-6;  // a mirrored ray starts this far from the surface, so as not to meet it again
+
+double rounded(double value, double resolution) noexcept {
+  return resolution > 0 ? std::floor(value / resolution + 0.5) * resolution : value;
+}
+
+}  // namespace
+
+Sonar::Sonar(const SonarConfig& config) : config_(config) {
+  for (int n = 0; n < config.rays; ++n) {
+    const double share = config.rays == 1 ? 0 : static_cast<double>(n) / (config.rays - 1) - 0.5;
+    rays_.push_back(direction(share * config.cone.rad()));
+  }
+  for (std::size_t i = 0; i < cos_incidence_.size(); ++i) {
+    const double limit_rad = config.incidence_limit[i].rad();
+    cos_incidence_[i] = limit_rad < kPi / 2 ? math::cos(limit_rad) : 0;
+  }
+}
+
+Limits Sonar::limits(std::size_t channel) const noexcept {
+  if (channel == 0) return {config_.min_range_m, config_.max_range_m};
+  return {0, std::max(config_.no_echo_s, 2 * config_.max_range_m / speed_of_sound_mps(config_.air_C))};
+}
+
+bool Sonar::answers(const Hit& hit, Vector2 unit_direction, double way_m) const noexcept {
+  if (hit.material == Material::Soft && way_m > config_.soft_range * config_.max_range_m) return false;
+  return -hit.normal.dot(unit_direction) >= cos_incidence_[static_cast<std::size_t>(hit.material)];
+}
+
+double Sonar::ray_range_m(const Scene& scene, Vector2 unit_direction) const noexcept {
+  Vector2 from = scene.mount.position;
+  double way_m = 0;
+  for (int bounce = 0; bounce <= config_.mirror_bounces; ++bounce) {
+    const auto hit = cast(scene, from, unit_direction, config_.max_range_m - way_m);
+    if (!hit) return kInfinity;
+    way_m += hit->range_m;
+    if (answers(*hit, unit_direction, way_m)) return way_m;
+    from = from + unit_direction * hit->range_m + hit->normal * kLiftOff_m;
+    unit_direction = unit_direction - hit->normal * (2 * hit->normal.dot(unit_direction));
+  }
+  return kInfinity;
+}
+
+double Sonar::echo_range_m(const Scene& scene) const noexcept {
+  const Vector2 ahead = direction(scene.mount.yaw.rad());
+  double nearest_m = kInfinity;
+  for (const Vector2 ray : rays_) {
+    nearest_m = std::min(nearest_m, ray_range_m(scene, ahead * ray.x + ahead.left() * ray.y));
+  }
+  return nearest_m;
+}
+
+void Sonar::measure(const Scene& scene, Draws& draws, std::span<double> values) noexcept {
+  const double noise_m = draws.normal() * config_.noise_m;
+  const bool lost = draws.uniform() < config_.dropout;
+  const double heard_m = lost ? kInfinity : echo_range_m(scene);
+  if (heard_m == kInfinity) {
+    values[0] = kInfinity;
+    values[1] = config_.no_echo_s;
+  } else if (heard_m < config_.min_range_m) {
+    values[0] = config_.too_close == TooClose::Minimum ? config_.min_range_m : -kInfinity;
+    values[1] = config_.too_close_echo_s;
+  } else {
+    const double read_m = std::clamp(heard_m + noise_m, config_.min_range_m, config_.max_range_m);
+    values[1] = 2 * read_m / speed_of_sound_mps(config_.air_C);
+    const double taken_m = values[1] * speed_of_sound_mps(config_.assumed_C) / 2;
+    values[0] = std::clamp(rounded(taken_m, config_.resolution_m), config_.min_range_m, config_.max_range_m);
+  }
+}
+
+void Sonar::broken(std::span<double> values) const noexcept {
+  values[0] = std::numeric_limits<double>::quiet_NaN();
+  values[1] = 0;
+}
+
+}  // namespace ganglion::sim

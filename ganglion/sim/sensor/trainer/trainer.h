@@ -1,0 +1,69 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "ganglion/sim/robot/sensor.h"
+#include "ganglion/sim/robot/trainer_log.h"
+
+namespace ganglion::sim {
+
+struct TrainerConfig {
+  double cell_m = 0.5;
+  int goals = 20;           ///< How many to draw, where `cells` is empty.
+  double sealed_share = 0;  ///< Share of the drawn goals that are free but out of reach, to see them withdrawn.
+  double patience_s = 0;    ///< A goal is given up after that; 0 = never.
+  std::vector<CellGrid::Cell> cells;  ///< Goals in order, instead of drawn ones.
+};
+
+/// Sets goals for the robot: the application as trainer, "App" in the GFM papers, told to the controller as sensations.
+/// The next goal is set when the robot stands in the goal's cell, when the controller withdraws, or when patience ends.
+///
+/// Channel `goal` {column, row}  the cell wanted, floor(position / cell_m); after the last outcome it keeps its value.
+/// Channel `direction` [rad]     bearing of that cell's centre from the robot, in the world's frame.
+/// Drawn goals are free cells that the robot's disc can step to from where the episode begins, movers aside; sealed
+/// ones are free cells that it cannot. No goal is drawn twice in a row. Source    "A growing functional modules
+/// locomotion subsystem", section 5; drawing, patience and log are ours.
+class Trainer final : public Sensor, public TrainerLog {
+ public:
+  explicit Trainer(TrainerConfig config) : config_(std::move(config)) {}
+
+  Limits limits(std::size_t channel) const noexcept override;
+  /// Fails with BadParameter where there are no cells to draw from, with TooLarge where the grid has too many.
+  Result<void> reset(const Scene& scene, Draws draws) override;
+  void hear(const ActFrame& frame) noexcept override;
+  void measure(const Scene& scene, Draws& draws, std::span<double> values) noexcept override;
+  const TrainerLog* trainer_log() const noexcept override { return this; }
+
+  std::span<const GoalRecord> records() const noexcept override { return records_; }
+  bool done() const noexcept override;
+
+ private:
+  struct Goal {
+    CellGrid::Cell cell{};
+    bool reachable = true;
+  };
+  Result<void> make_grid(const Scene& scene);
+  Result<void> draw_goals(CellGrid::Cell start, Draws& draws);
+  void state_goals(CellGrid::Cell start);
+  void set_goal(const Scene& scene) noexcept;
+  std::optional<GoalOutcome> outcome(const Scene& scene) const noexcept;
+  void conclude(const Scene& scene, GoalOutcome outcome) noexcept;
+
+  TrainerConfig config_;
+  std::shared_ptr<const Ground> ground_;  // that grid_ was made of
+  std::optional<CellGrid> grid_;
+  std::optional<CellGrid::Workspace> workspace_;
+  std::vector<CellGrid::Cell> taken_;  // by movers
+  std::vector<Goal> goals_;
+  std::vector<GoalRecord> records_;  // room for all goals
+  double set_s_ = 0;                 // time at which the present goal was set
+  double set_travelled_m_ = 0;
+  bool withdrawn_ = false;
+  ReasonCode reason_ = ReasonCode::None;
+};
+
+extern const SensorKind trainer_kind;
+
+}  // namespace ganglion::sim

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "ganglion/application/application.h"
+#include "ganglion/sim/robot/robot_model.h"
+#include "ganglion/sim/simulation/contact_memory.h"
+
+namespace ganglion::sim {
+
+/// One simulated robot on the ground: its drive under commands that lapse, what it runs into, what that costs.
+class Body {
+ public:
+  Body(const RobotModel& model, std::unique_ptr<Drive> drive);
+
+  /// Takes the memory that a step among so many robots needs.
+  void make_room(std::size_t robots);
+  void reset(const Pose2& pose) noexcept;
+  /// A step begins: takes the commands, made finite and put within their limits.
+  void begin(const ActFrame& frame, double step_s) noexcept;
+  /// The sub-step [elapsed_s, elapsed_s + step_s) of that step, begun at time_s. Where the time to live ends within it,
+  /// it is cut there. `others` are the discs of the robots, this one's own among them at index `self`.
+  void advance(const World& world, std::span<const Disc> others, std::size_t self, double elapsed_s, double time_s,
+               double step_s) noexcept;
+  /// The robots it ran into in the last sub-step, as indices, and how fast.
+  struct Bump {
+    std::size_t robot = 0;
+    Vector2 normal{};  ///< Away from the other.
+    double speed_mps = 0;
+  };
+  std::span<const Bump> bumps() const noexcept { return bumps_; }
+  /// Another robot ran into this one. `normal` points away from it.
+  void bumped(Vector2 normal, double speed_mps, double time_s) noexcept;
+
+  const Truth& truth() const noexcept { return truth_; }
+  Disc disc() const noexcept { return {truth_.pose.position, model_->radius_m}; }
+
+ private:
+  void lapse(double step_s) noexcept;
+  void move(const World& world, std::span<const Disc> others, std::size_t self, double time_s, double step_s) noexcept;
+  World::Slide slide(const World& world, std::span<const Disc> others, std::size_t self, Vector2 displacement) noexcept;
+  void note_contact(Vector2 normal, double speed_mps, double time_s) noexcept;
+  void note_bumps(std::span<const Disc> others, std::size_t self, Vector2 normal, double speed_mps) noexcept;
+  void spend(double energy_J) noexcept;
+
+  const RobotModel* model_;
+  std::unique_ptr<Drive> drive_;
+  std::vector<double> command_, safe_;
+  std::vector<Disc> near_;  // room for all other robots
+  std::vector<Bump> bumps_;
+  double ttl_s_ = 0;
+  bool lapsed_ = false;
+  ContactMemory contacts_;
+  Truth truth_;
+};
+
+}  // namespace ganglion::sim

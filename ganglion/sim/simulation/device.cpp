@@ -1,0 +1,60 @@
+#include "ganglion/sim/simulation/device.h"
+
+#include <cmath>
+
+#include "ganglion/base/hash.h"
+
+namespace ganglion::sim {
+namespace {
+
+constexpr double kTimeTolerance_s = 1e-7;  // sums of steps differ from multiples of periods by rounding
+
+}  // namespace
+
+Device::Device(const SensorModel& model, std::unique_ptr<Sensor> sensor, std::span<double> values)
+    : model_(&model), sensor_(std::move(sensor)), values_(values) {}
+
+Result<void> Device::reset(const Scene& scene, const StreamId& stream) {
+  stream_ = stream;
+  fired_s_ = -std::numeric_limits<double>::infinity();
+  std::fill(values_.begin(), values_.end(), std::numeric_limits<double>::quiet_NaN());
+  StreamId beginning = stream;
+  beginning.component = combine(stream.component, hash_name("reset"));
+  if (auto begun = sensor_->reset(scene, Draws(beginning, 0)); !begun) return begun;
+  if (model_->phase_s <= kTimeTolerance_s) fire(scene);
+  return {};
+}
+
+double Device::firings(double time_s) const noexcept {
+  if (time_s < model_->phase_s - kTimeTolerance_s) return 0;
+  return std::floor((time_s - model_->phase_s + kTimeTolerance_s) / model_->period_s) + 1;
+}
+
+bool Device::due(double begin_s, double now_s, double end_s) const noexcept {
+  if (model_->period_s <= 0) return now_s == end_s && now_s >= model_->phase_s - kTimeTolerance_s;
+  const double now = firings(now_s);
+  return now > firings(begin_s) && now == firings(end_s);
+}
+
+bool Device::wants(double begin_s, double now_s, double end_s) const noexcept {
+  return sensor_->follows() || due(begin_s, now_s, end_s);
+}
+
+void Device::follow(const Scene& scene, double begin_s, double end_s) noexcept {
+  if (sensor_->follows()) sensor_->follow(scene, scene.time_s - begin_s);
+  if (due(begin_s, scene.time_s, end_s)) fire(scene);
+}
+
+void Device::fire(const Scene& scene) noexcept {
+  const bool faulty = model_->fault != Fault::None && scene.time_s >= model_->fault_from_s - kTimeTolerance_s;
+  const bool has_fired = std::isfinite(fired_s_);
+  fired_s_ = scene.time_s;
+  if (faulty && model_->fault == Fault::Dead) {
+    sensor_->broken(values_);
+  } else if (!faulty || !has_fired) {
+    Draws draws(stream_, scene.tick);
+    sensor_->measure(scene, draws, values_);
+  }
+}
+
+}  // namespace ganglion::sim

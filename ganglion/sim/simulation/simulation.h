@@ -1,0 +1,82 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "ganglion/application/application.h"
+#include "ganglion/sim/robot/robot_model.h"
+#include "ganglion/sim/robot/trainer_log.h"
+#include "ganglion/sim/simulation/body.h"
+#include "ganglion/sim/simulation/device.h"
+#include "ganglion/sim/simulation/spawn.h"
+
+namespace ganglion::sim {
+
+struct SimulationConfig {
+  std::shared_ptr<const Ground> ground;
+  std::shared_ptr<const RobotModel> model;
+  int robots = 1;
+  SpawnRule spawn = SpawnRandom{};
+};
+
+/// Robots of one model in a world, as an Application. Robots are solid to each other and seen by each other's sensors;
+/// a robot that nobody comes near has the same bits whether it is alone or among others.
+///
+/// A step is cut into sub-steps of at most model.substep_s. In each the movers go first, then the robots in the order
+/// of their indices, then their sensors. A sensor fires at the end of the sub-step in which it is due, for a step's
+/// frame only its last firing counts. Commands lapse to their safe values exactly after their time to live. The cost of
+/// a frame is the energy the step before it took; the first frame of an episode has none. reset() takes memory; sense()
+/// and step() take none.
+class Simulation final : public Application {
+ public:
+  /// Fails with BadParameter without ground, robots or a simulated model, or where the spawn rule cannot hold.
+  static Result<std::unique_ptr<Simulation>> make(SimulationConfig config);
+
+  const RobotDescription& description() const noexcept override { return config_.model->description; }
+  int robots() const noexcept override { return config_.robots; }
+  /// Fails with BadParameter where a robot finds no place, or a sensor (a trainer) no sense in the scene.
+  Result<void> reset(std::uint64_t seed, std::uint32_t episode) override;
+  void sense(std::span<SenseFrame> frames) noexcept override;
+  void step(std::span<const ActFrame> frames, double step_s) noexcept override;
+
+  std::uint32_t tick() const noexcept { return tick_; }
+  double time_s() const noexcept { return time_s_; }
+  const Truth& truth(int robot) const noexcept { return robot_at(robot).body.truth(); }
+  const World& world() const noexcept { return world_; }
+  const RobotModel& model() const noexcept { return *config_.model; }
+  /// Of the robot's first trainer; null if it has none.
+  const TrainerLog* trainer_log(int robot) const noexcept;
+  /// There are trainers, and all have seen the outcome of their last goal.
+  bool trainer_done() const noexcept;
+
+ private:
+  struct Robot {
+    Body body;
+    std::vector<double> values;  // of all sensations, in the order of frames
+    std::vector<Device> devices;
+  };
+  explicit Simulation(SimulationConfig config, Spawner spawner);
+  Result<void> add_robot();
+  const Robot& robot_at(int robot) const noexcept { return robots_[static_cast<std::size_t>(robot)]; }
+  Scene scene(std::size_t robot, const Device& device, std::uint32_t tick, double time_s) noexcept;
+  void substep(int n, int count, double step_s, double end_s) noexcept;
+  void move_robots(double elapsed_s, double step_s) noexcept;
+  void tell_bumps(std::size_t robot, double time_s) noexcept;
+  void run_devices(double begin_s, double now_s, double end_s) noexcept;
+
+  SimulationConfig config_;
+  Spawner spawner_;
+  World world_;
+  std::vector<Robot> robots_;
+  std::vector<Disc> discs_;   // of all robots
+  std::vector<Disc> others_;  // what a scene shows; room for all robots
+  std::uint32_t tick_ = 0;
+  std::uint32_t substeps_ = 0;
+  double time_s_ = 0;
+  double pace_s_ = 0;        // length of the present run of equal steps' step
+  double pace_began_s_ = 0;  // time at which they began, so that time is a product, not a sum
+  std::uint32_t pace_steps_ = 0;
+};
+
+}  // namespace ganglion::sim
