@@ -1,7 +1,7 @@
 #include "commands.h"
 #include "ganglion/plot/draw_all.h"
+#include "ganglion/plot/from_run_file.h"
 #include "ganglion/record/run_file.h"
-#include "ganglion/report/report.h"
 #include "say.h"
 
 namespace ganglion {

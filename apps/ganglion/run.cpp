@@ -3,8 +3,9 @@
 
 #include "commands.h"
 #include "ganglion/base/text.h"
-#include "ganglion/experience/experience_writer.h"
+#include "ganglion/experience/writer.h"
 #include "ganglion/experience/store.h"
+#include "ganglion/plot/from_run_file.h"
 #include "ganglion/record/catalogue.h"
 #include "ganglion/record/run_file.h"
 #include "ganglion/report/report.h"
@@ -152,7 +153,7 @@ void report(const RunArguments& arguments, RunResult& result) {
   fs::path page = result.files.front();
   page.replace_extension(".html");
   const plot::RunView view = plot::from_run_file(*file);
-  if (auto written = report::write_report(view, page, report_language(arguments.language)); !written) {
+  if (auto written = report::write_report(view, page, {arguments.language == "es" ? plot::Language::Spanish : plot::Language::English}); !written) {
     complain(written.error());
     return;
   }

@@ -34,24 +34,27 @@ std::string text_of(const Range& range) {
 }
 
 Table::Table(const Value& value, std::string context, Problems& problems)
-    : value_(&value), context_(std::move(context)), problems_(&problems) {
+    : value_(&value), place_(value.place()), context_(std::move(context)), problems_(&problems) {
   if (value_->type() == Value::Type::Table) return;
   report(value.place(), ErrorCode::BadType, fmt::format("is {}, must be a table", value.type_name()));
   value_ = &empty_table();
+  mute_ = true;
 }
 
 Table::Table(Table&& other) noexcept
     : value_(other.value_),
+      place_(std::move(other.place_)),
       context_(std::move(other.context_)),
       problems_(other.problems_),
       known_(std::move(other.known_)),
-      finished_(other.finished_) {
+      finished_(other.finished_),
+      mute_(other.mute_) {
   other.finished_ = true;
 }
 
 Place Table::place(std::string_view key) const {
   const Value* found = value_->find(key);
-  return found != nullptr ? found->place() : value_->place();
+  return found != nullptr ? found->place() : place_;
 }
 
 const Value* Table::value(std::string_view key) {
@@ -60,11 +63,12 @@ const Value* Table::value(std::string_view key) {
 }
 
 void Table::report(const Place& where, ErrorCode code, const std::string& message) const {
+  if (mute_) return;
   problems_->add(Error{code, context_.empty() ? message : context_ + ": " + message, where});
 }
 
 void Table::missing(std::string_view key) const {
-  report(value_->place(), ErrorCode::MissingKey, fmt::format("{} is missing", key));
+  report(place_, ErrorCode::MissingKey, fmt::format("{} is missing", key));
 }
 
 void Table::wrong_type(std::string_view key, const Value& found, std::string_view wanted) const {
@@ -185,10 +189,20 @@ std::filesystem::path Table::path(std::string_view key) {
   return std::filesystem::path(found->place().file).parent_path() / written;
 }
 
+std::filesystem::path Table::file(std::string_view key) {
+  std::filesystem::path named = path(key);
+  std::error_code ignored;
+  if (named.empty() || std::filesystem::exists(named, ignored)) return named;
+  report(place(key), ErrorCode::NotFound, fmt::format("{}: there is no file \"{}\"", key, named.string()));
+  return {};
+}
+
 Table Table::table(std::string_view key) {
   const Value* found = value(key);
   const std::string inner = context_.empty() ? std::string(key) : fmt::format("{}.{}", context_, key);
-  return Table(found != nullptr ? *found : empty_table(), inner, *problems_);
+  Table result(found != nullptr ? *found : empty_table(), inner, *problems_);
+  if (found == nullptr) result.place_ = place_;
+  return result;
 }
 
 std::vector<Table> Table::tables(std::string_view key) {

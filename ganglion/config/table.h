@@ -38,7 +38,8 @@ class Table {
   bool has(std::string_view key) const noexcept { return value_->find(key) != nullptr; }
   /// The value as it stands, or null; the key counts as read.
   const Value* value(std::string_view key);
-  Place place() const { return value_->place(); }
+  /// Where it stands; of an absent table where the one around it stands.
+  const Place& place() const noexcept { return place_; }
   Place place(std::string_view key) const;
   const std::string& context() const noexcept { return context_; }
   Problems& problems() const noexcept { return *problems_; }
@@ -59,6 +60,8 @@ class Table {
   std::vector<std::string> texts(std::string_view key);
   /// A path, relative to the folder of the file it stands in; behind --set to the working directory. Empty if absent.
   std::filesystem::path path(std::string_view key);
+  /// The same, of a file that must be there: else NotFound at the key, and empty.
+  std::filesystem::path file(std::string_view key);
   /// A table inside; an empty one if absent.
   Table table(std::string_view key);
   /// A list of tables, [[key]]; empty if absent.
@@ -88,10 +91,12 @@ class Table {
   double checked(std::string_view key, const Value& found, double preset, const Range& range) const;
 
   const Value* value_;
+  Place place_;
   std::string context_;
   Problems* problems_;
   std::set<std::string, std::less<>> known_;
   bool finished_ = false;
+  bool mute_ = false;  ///< Is no table at all, which was reported: nothing in it can be judged.
 };
 
 /// Checks `format = 1`, which every file of ours starts with.

@@ -43,6 +43,25 @@ TEST(Table, GathersEveryProblemWithItsPlace) {
             "dir/x.toml:8:1: kind is missing\n");
 }
 
+TEST(Table, PlacesWhatIsMissingInAnAbsentTableAtTheOneAround) {
+  const auto value = parse("\n[run]\nseed = 1\n", "x.toml");
+  Problems problems;
+  {
+    Table root(*value, "", problems);
+    Table run = root.table("run");
+    run.integer("seed", 1);
+    run.table("stop").text("reason");
+  }
+  EXPECT_EQ(problems.text(), "x.toml:2:1: run.stop: reason is missing\n");
+}
+
+TEST(Table, SaysNothingMoreOfWhatIsNoTable) {
+  const auto value = parse("run = 3\n", "x.toml");
+  Problems problems;
+  Table(*value, "", problems).table("run").text("seed");
+  EXPECT_EQ(problems.text(), "x.toml:1:7: run: is a whole number, must be a table\n");
+}
+
 TEST(Parse, SaysWhereTheSyntaxBreaks) {
   const auto value = parse("a = 1\nb = = 2\n", "x.toml");
   ASSERT_FALSE(value);

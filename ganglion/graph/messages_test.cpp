@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "ganglion/graph/example_files.h"
+#include "ganglion/graph/testing/example_files.h"
 
 // What a person reads who makes one mistake in a good file. Each message says where, what was found and what would have
 // been right; nothing that merely follows from the mistake is reported on top of it.

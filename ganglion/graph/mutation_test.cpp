@@ -1,9 +1,9 @@
-#include "ganglion/config/mutation.h"
+#include "ganglion/config/testing/mutator.h"
 
 #include <gtest/gtest.h>
 
 #include "ganglion/config/format.h"
-#include "ganglion/graph/example_files.h"
+#include "ganglion/graph/testing/example_files.h"
 
 // Files are hostile: whatever happens to a good one, it is rejected with a place in the file, or understood and the
 // same after formatting. Never a crash, never a guess.

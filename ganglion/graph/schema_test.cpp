@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "ganglion/graph/example_kinds.h"
+#include "ganglion/graph/testing/example_kinds.h"
 #include "ganglion/graph/model.h"
 
 namespace ganglion {

@@ -46,10 +46,11 @@ struct Cell {
   double cost_j = 0;         ///< Running mean of what entering it took, for the length of one straight step [J].
   std::uint32_t costed = 0;  ///< Crossings in that mean.
   std::uint32_t inhibited_until = 0;  ///< No attempt before this tick.
-  std::uint32_t round = 0;            ///< The round in which `strain` was counted.
+  std::uint32_t round = 0;            ///< The round to which `strain` and `closed_diagonals` belong.
   Label label = Label::Unexplored;
   Nature nature = Nature::Static;
-  std::uint8_t strain = 0;  ///< Failed attempts of that round: 2 for each, 1 where another cell may be to blame.
+  std::uint8_t strain = 0;            ///< Failed attempts of that round, each counted as its FailureCause.
+  std::uint8_t closed_diagonals = 0;  ///< Bit k / 2: the step from here in direction k failed, and why is unclear.
 };
 static_assert(sizeof(Cell) <= 32);
 

@@ -71,6 +71,7 @@ std::uint32_t GoalDistance::step(std::uint32_t cell, int direction) noexcept {
   const Price& entered = node(next(cell, direction)).price;
   if (entered.straight == 0) return kNever;
   if (!is_diagonal(direction)) return entered.straight + entered.risk;
+  if (!node(cell).price.lets_leave(direction)) return kNever;
   const Price& right = node(next(cell, turned(direction, -1))).price;
   const Price& left = node(next(cell, turned(direction, 1))).price;
   if (right.straight == 0 || left.straight == 0) return kNever;

@@ -22,11 +22,14 @@ std::uint32_t Pricing::risk_units(double risk) const noexcept {
 
 Price Pricing::operator()(CellIndex index) const noexcept {
   const Cell* cell = map_->find(index);
-  if (cell == nullptr ? map_->full() : !open(*cell)) return {};
+  Price price;
+  if (cell != nullptr) price.closed_diagonals = map_->closed_diagonals(*cell);
+  if (cell == nullptr ? map_->full() : !open(*cell)) return price;
   const bool known = cell != nullptr && cell->label != Label::Unexplored;
   const bool weighs = known && (query_ == Query::Feasible || rule_.secure_weighs_cost);
   const double factor = weighs ? map_->cost_factor(*cell) : 1;
-  Price price{rounded(kStraightUnits * factor), rounded(kDiagonalUnits * factor), 0, 0};
+  price.straight = rounded(kStraightUnits * factor);
+  price.diagonal = rounded(kDiagonalUnits * factor);
   if (query_ == Query::Feasible) {
     price.risk = known ? risk_units(cell->risk) : 0;
     // A diagonal attempt that fails beside unexplored ground teaches little; straight attempts come first.
@@ -38,7 +41,8 @@ Price Pricing::operator()(CellIndex index) const noexcept {
 bool Pricing::may_step(CellIndex from, int direction) const noexcept {
   if (!may_enter(neighbour(from, direction))) return false;
   return !is_diagonal(direction) ||
-         (may_enter(neighbour(from, turned(direction, -1))) && may_enter(neighbour(from, turned(direction, 1))));
+         ((*this)(from).lets_leave(direction) && may_enter(neighbour(from, turned(direction, -1))) &&
+          may_enter(neighbour(from, turned(direction, 1))));
 }
 
 }  // namespace ganglion::grid

@@ -29,8 +29,11 @@ struct PriceRule {
 struct Price {
   std::uint32_t straight = 0;
   std::uint32_t diagonal = 0;
-  std::uint32_t risk = 0;  ///< On top, for entering it.
-  std::uint32_t side = 0;  ///< On top, for passing its corner in a diagonal step.
+  std::uint32_t risk = 0;             ///< On top, for entering it.
+  std::uint32_t side = 0;             ///< On top, for passing its corner in a diagonal step.
+  std::uint8_t closed_diagonals = 0;  ///< Bit k / 2: not to be left in direction k.
+
+  bool lets_leave(int direction) const noexcept { return (closed_diagonals >> (direction / 2) & 1) == 0; }
 };
 
 /// Prices cells after the map. Learned costs enter as a factor on the length, at least 1: the mean of the cell over the

@@ -90,7 +90,7 @@ void RiskMap::visit(CellIndex index) noexcept {
   if (cell != nullptr && cell->label != Label::Empty) cross(index);
 }
 
-void RiskMap::fail(CellIndex index, std::uint32_t now, bool certain) noexcept {
+void RiskMap::fail(CellIndex index, std::uint32_t now, FailureCause cause) noexcept {
   Cell* cell = at(index);
   if (cell == nullptr) return;
   const Label before = cell->label;
@@ -98,9 +98,23 @@ void RiskMap::fail(CellIndex index, std::uint32_t now, bool certain) noexcept {
   count(before, cell->label);
   cell->inhibited_until = now + inhibition_ticks(cell->risk, rule_);
   lapses_[cell->inhibited_until % lapses_.size()] = cell->inhibited_until;
-  if (cell->round != round_) cell->strain = 0;
-  cell->round = round_;
-  cell->strain = static_cast<std::uint8_t>(std::min(255, cell->strain + (certain ? 2 : 1)));
+  enter_round(*cell);
+  cell->strain = static_cast<std::uint8_t>(std::min(255, cell->strain + static_cast<int>(cause)));
+  ++revision_;
+}
+
+void RiskMap::enter_round(Cell& cell) const noexcept {
+  if (cell.round == round_) return;
+  cell.round = round_;
+  cell.strain = 0;
+  cell.closed_diagonals = 0;
+}
+
+void RiskMap::close_diagonal(CellIndex from, int direction) noexcept {
+  Cell* cell = at(from);
+  if (cell == nullptr) return;
+  enter_round(*cell);
+  cell->closed_diagonals = static_cast<std::uint8_t>(cell->closed_diagonals | 1 << (direction / 2));
   ++revision_;
 }
 
@@ -121,17 +135,6 @@ std::optional<std::uint32_t> RiskMap::next_lapse(std::uint32_t now) const noexce
     if (lapse > now && (!next || lapse < *next)) next = lapse;
   }
   return next;
-}
-
-void RiskMap::forget_attempts() noexcept {
-  for (const auto& tile : tiles_) {
-    for (Cell& cell : tile->cells) {
-      cell.inhibited_until = 0;
-      cell.strain = 0;
-    }
-  }
-  std::fill(lapses_.begin(), lapses_.end(), 0);
-  ++revision_;
 }
 
 double RiskMap::cost_factor(const Cell& cell) const noexcept {

@@ -22,6 +22,13 @@ struct Tile {
   std::array<Cell, kTileSide * kTileSide> cells{};
 };
 
+/// How sure it is that a step failed because of this cell, and how much of an attempt that makes, in halves.
+enum class FailureCause : std::uint8_t {
+  Unclear = 0,    ///< It may have been another cell: see close_diagonal().
+  Untouched = 1,  ///< No other cell, but nothing was touched: perhaps the robot only slipped.
+  Cell = 2,
+};
+
 /// The ground as experience has it: which cells were entered, which failed, how likely each can be crossed.
 ///
 /// Memory   tiles added by grow_around() between ticks, at most max_tiles; nothing else allocates. Once the map is
@@ -44,19 +51,22 @@ class RiskMap {
   void cross(CellIndex cell) noexcept;
   /// The robot was put or found there without an attempt of its own.
   void visit(CellIndex cell) noexcept;
-  /// `certain` when no other cell can have been the cause.
-  void fail(CellIndex cell, std::uint32_t now, bool certain) noexcept;
+  void fail(CellIndex cell, std::uint32_t now, FailureCause cause = FailureCause::Cell) noexcept;
+  /// A diagonal step failed, and which of its three cells blocks it is unclear: not the same way again in this round.
+  void close_diagonal(CellIndex from, int direction) noexcept;
   void book_cost(CellIndex cell, double cost_j) noexcept;
 
   static bool inhibited(const Cell& cell, std::uint32_t now) noexcept { return now < cell.inhibited_until; }
   /// Its attempts of this round are used up: a static cell has one, a dynamic one `dynamic_tries`.
   bool spent(const Cell& cell) const noexcept;
+  /// The diagonal steps from this cell that were closed in this round, a bit each.
+  std::uint8_t closed_diagonals(const Cell& cell) const noexcept {
+    return cell.round == round_ ? cell.closed_diagonals : std::uint8_t{0};
+  }
   void set_dynamic_tries(int tries) noexcept { dynamic_tries_ = tries; }
   void new_round() noexcept { ++round_; }
   /// The first tick after `now` at which an inhibition lapses; none when nothing is inhibited.
   std::optional<std::uint32_t> next_lapse(std::uint32_t now) const noexcept;
-  /// Forgets inhibitions and rounds, which belong to a stretch of driving, not to experience.
-  void forget_attempts() noexcept;
 
   /// How much dearer than the average crossing this cell is, at least 1; 1 where nothing is known.
   double cost_factor(const Cell& cell) const noexcept;
@@ -74,6 +84,7 @@ class RiskMap {
 
  private:
   Cell* at(CellIndex cell) noexcept;
+  void enter_round(Cell& cell) const noexcept;
   std::size_t slot_of(std::int32_t column, std::int32_t row) const noexcept;
   Tile* tile_at(std::int32_t column, std::int32_t row) const noexcept;
   Tile& add_tile(std::int32_t column, std::int32_t row);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "ganglion/grid/price.h"
+
 namespace ganglion::grid {
 namespace {
 
@@ -85,7 +87,7 @@ RiskMap map_round(CellIndex cell, int max_tiles = 8) {
 
 TEST(RiskMap, ClosesACellForTheTicksOfItsInhibition) {
   RiskMap map = map_round({5, 5});
-  map.fail({5, 5}, 100, true);
+  map.fail({5, 5}, 100);
   EXPECT_TRUE(RiskMap::inhibited(*map.find({5, 5}), 100));
   EXPECT_TRUE(RiskMap::inhibited(*map.find({5, 5}), 104));
   EXPECT_FALSE(RiskMap::inhibited(*map.find({5, 5}), 105));
@@ -111,8 +113,8 @@ TEST(RiskMap, CountsWhatIsExploredAndOccupied) {
   RiskMap map = map_round({0, 0});
   map.cross({0, 0});
   map.cross({0, 0});
-  map.fail({1, 0}, 1, true);
-  map.fail({0, 0}, 1, true);
+  map.fail({1, 0}, 1);
+  map.fail({0, 0}, 1);
   EXPECT_EQ(map.explored(), 2);
   EXPECT_EQ(map.occupied(), 2);
   map.cross({1, 0});
@@ -121,24 +123,37 @@ TEST(RiskMap, CountsWhatIsExploredAndOccupied) {
 
 TEST(RiskMap, GivesAStaticCellOneAttemptARoundAndADynamicOneThree) {
   RiskMap map = map_round({0, 0});
-  map.fail({1, 0}, 1, true);
+  map.fail({1, 0}, 1);
   EXPECT_TRUE(map.spent(*map.find({1, 0})));
   map.new_round();
   EXPECT_FALSE(map.spent(*map.find({1, 0})));
   map.cross({2, 0});
-  map.fail({2, 0}, 1, true);
-  map.fail({2, 0}, 1, true);
+  map.fail({2, 0}, 1);
+  map.fail({2, 0}, 1);
   EXPECT_FALSE(map.spent(*map.find({2, 0})));
-  map.fail({2, 0}, 1, true);
+  map.fail({2, 0}, 1);
   EXPECT_TRUE(map.spent(*map.find({2, 0})));
 }
 
-TEST(RiskMap, CountsAnAttemptHalfWhenAnotherCellMayBeToBlame) {
+TEST(RiskMap, CountsAnAttemptHalfWhenNothingWasTouched) {
   RiskMap map = map_round({0, 0});
-  map.fail({1, 1}, 1, false);
+  map.fail({1, 1}, 1, FailureCause::Untouched);
   EXPECT_FALSE(map.spent(*map.find({1, 1})));
-  map.fail({1, 1}, 1, false);
+  map.fail({1, 1}, 1, FailureCause::Untouched);
   EXPECT_TRUE(map.spent(*map.find({1, 1})));
+}
+
+TEST(RiskMap, ClosesADiagonalForTheRoundWhenItsFailureIsUnclear) {
+  RiskMap map = map_round({0, 0});
+  map.fail({1, 1}, 1, FailureCause::Unclear);
+  map.close_diagonal({0, 0}, 1);
+  EXPECT_FALSE(map.spent(*map.find({1, 1})));
+  const Pricing later{map, {}, Query::Feasible, 100};
+  EXPECT_FALSE(later.may_step({0, 0}, 1));
+  EXPECT_TRUE(later.may_step({0, 0}, 7));
+  EXPECT_TRUE(later.may_step({1, 0}, 2));  // the blamed cell may be tried from another side
+  map.new_round();
+  EXPECT_TRUE(later.may_step({0, 0}, 1));
 }
 
 TEST(RiskMap, WeighsACellByWhatItCostsBesideTheOthers) {
@@ -157,7 +172,7 @@ RiskMap travelled() {
   map.cross({-1, -1});
   map.cross({3, 2});
   map.book_cost({3, 2}, 1.5);
-  map.fail({4, 2}, 7, true);
+  map.fail({4, 2}, 7);
   return map;
 }
 
@@ -214,6 +229,20 @@ TEST(RiskMap, RefusesValuesThatNoMapCanHave) {
   auto twice = with_risk(0.5);
   twice.push_back(twice.front());
   EXPECT_FALSE(RiskMap(8, {}).loaded(twice));
+}
+
+TEST(RiskMap, RefusesACellThatComesTwice) {
+  ByteWriter writer;
+  for (const std::int32_t value : {0, 0, 2}) writer.i32(value);  // column, row, count
+  for (int i = 0; i < 2; ++i) {
+    writer.i32(17);
+    writer.u8(2);
+    writer.f64(0.5);
+    writer.f64(0);
+    writer.u32(0);
+  }
+  const std::vector<ExperiencePart> parts = {{"tile 0 0", writer.take()}};
+  EXPECT_FALSE(RiskMap(8, {}).loaded(parts));
 }
 
 TEST(RiskMap, RefusesMoreTilesThanItMayHold) {

@@ -27,7 +27,7 @@ RiskMap drawn(const std::vector<std::string>& lines) {
       const CellIndex cell{column, row};
       map.grow_around(cell);
       if (line[static_cast<std::size_t>(column)] == '.') map.cross(cell);
-      if (line[static_cast<std::size_t>(column)] == '#') map.fail(cell, 0, true);
+      if (line[static_cast<std::size_t>(column)] == '#') map.fail(cell, 0);
     }
   }
   map.new_round();
@@ -45,7 +45,7 @@ TEST(Pricing, AllowsOnlyUnexploredAndLittleRiskyEmptyCellsInASecureRoute) {
   EXPECT_FALSE(secure(map).may_enter({2, 0}));
   EXPECT_TRUE(secure(map).may_enter({5, 5}));
   EXPECT_TRUE(secure(map).may_enter({500, 500}));  // beyond the tiles
-  for (int i = 0; i < 3; ++i) map.fail({1, 0}, 0, true);
+  for (int i = 0; i < 3; ++i) map.fail({1, 0}, 0);
   map.cross({1, 0});  // 0.2, 0.32, 0.422, then * 0.7 = 0.2954: empty, but not secure
   EXPECT_FALSE(secure(map).may_enter({1, 0}));
   map.cross({1, 0});  // 0.20678

@@ -45,13 +45,16 @@ std::vector<std::string> measures_of(std::span<const NamedBatch> batches) {
 std::string head(std::initializer_list<Key> keys, Language language) {
   std::string html = "<thead><tr>";
   for (std::size_t i = 0; i < keys.size(); ++i)
-    html += worded("th", keys.begin()[i], language, i == 0 ? "scope=\"col\"" : "scope=\"col\" class=\"number\"");
+    html +=
+        worded("th", keys.begin()[i], language,
+               i == 0 || std::string_view(keys.begin()[i].entry().key) == "spread" ? "scope=\"col\""
+                                                                                   : "scope=\"col\" class=\"number\"");
   return html + "</tr></thead>\n";
 }
 
 std::string number(double value, Language language) {
   if (std::isnan(value)) return "<td class=\"number\">" + worded("span", "undefined", language) + "</td>";
-  return fmt::format("<td class=\"number\">{:.5g}</td>", value);
+  return fmt::format("<td class=\"number\">{:.4g}</td>", value);
 }
 
 std::string shares(std::span<const NamedBatch> batches, Language language) {

@@ -61,9 +61,16 @@ std::vector<Criterion> read_criteria(Table& table, std::string_view key) {
   return criteria;
 }
 
-void read_application(Table application, Experiment& experiment) {
-  experiment.files.robot = application.path("robot");
-  experiment.files.world = application.path("world");
+/// The file a key names, unless another one takes its place.
+std::filesystem::path read_file_name(Table& table, std::string_view key, const std::filesystem::path& instead) {
+  if (instead.empty()) return table.file(key);
+  table.known(key);
+  return instead;
+}
+
+void read_application(Table application, Experiment& experiment, const ExperimentFiles& instead) {
+  experiment.files.robot = read_file_name(application, "robot", instead.robot);
+  experiment.files.world = read_file_name(application, "world", instead.world);
   experiment.robots = application.integer("robots", 1, config::Range{1, 10'000});
   experiment.spawn = read_spawn(application.table("spawn"));
 }
@@ -74,10 +81,6 @@ void read_run(Table run, Experiment& experiment) {
   experiment.maps_every_s = run.number("maps_every_s", experiment.maps_every_s, config::kNotNegative);
   experiment.free_ground = run.boolean("free_ground", false);
   experiment.stop = read_criteria(run, "stop");
-}
-
-void take(std::filesystem::path& path, const std::filesystem::path& instead) {
-  if (!instead.empty()) path = instead;
 }
 
 }  // namespace
@@ -101,14 +104,11 @@ Experiment read_experiment(const std::filesystem::path& given, const std::vector
   Table table(*root, "", problems);
   config::check_format(table);
   experiment.name = table.text("name", experiment.files.experiment.parent_path().filename().string());
-  experiment.files.controller = table.path("controller");
-  if (experiment.files.controller.empty()) table.text("controller");  // reports it missing
+  experiment.files.controller = read_file_name(table, "controller", instead.controller);
+  if (!table.has("controller") && instead.controller.empty()) table.text("controller");  // reports it missing
   experiment.success = read_criteria(table, "success");
-  read_application(table.table("application"), experiment);
+  read_application(table.table("application"), experiment, instead);
   read_run(table.table("run"), experiment);
-  take(experiment.files.controller, instead.controller);
-  take(experiment.files.robot, instead.robot);
-  take(experiment.files.world, instead.world);
   return experiment;
 }
 

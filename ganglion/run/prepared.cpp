@@ -15,6 +15,26 @@ std::string hash_of(const std::filesystem::path& file, const std::vector<config:
   return hex(hash);
 }
 
+/// The robot a controller was drawn for; empty, and reported, where it names none that is there.
+std::filesystem::path robot_named_by(const config::Value& controller, Problems& problems) {
+  config::Table table(controller, "", problems);
+  for (const std::string& key : table.keys()) table.known(key);
+  if (!table.has("robot")) {
+    table.problem("robot", ErrorCode::MissingKey, "robot is missing: name the robot.toml it is drawn for");
+  }
+  return table.file("robot");
+}
+
+std::shared_ptr<const sim::RobotModel> load_robot(const Experiment& experiment, Problems& problems) {
+  if (experiment.files.robot.empty()) return nullptr;
+  auto robot = sim::load_robot(experiment.files.robot, sim_kinds(), experiment.robot_overrides, problems);
+  if (robot != nullptr && !robot->simulated()) {
+    problems.add({experiment.files.robot.string(), 1, 1}, ErrorCode::MissingKey,
+                 "describes a robot without [drive]: it cannot be simulated");
+  }
+  return robot;
+}
+
 std::shared_ptr<const sim::Ground> open_ground(Problems& problems) {
   auto ground = sim::Ground::make(sim::GroundPlan{.name = "open ground"}, problems);
   return ground ? std::make_shared<const sim::Ground>(std::move(*ground)) : nullptr;
@@ -52,11 +72,9 @@ std::optional<ControllerModel> load_controller(const std::filesystem::path& path
   ControllerModel model = read_controller(*root, controller_kinds(), problems);
   std::optional<RobotDescription> own;
   if (robot == nullptr) {
-    if (model.robot.empty()) {
-      problems.add(root->place(), ErrorCode::MissingKey, "robot is missing: name the robot.toml it is drawn for");
-      return std::nullopt;
-    }
-    own = sim::load_description(model.robot, sim_kinds(), {}, problems);
+    const std::filesystem::path named = robot_named_by(*root, problems);
+    if (named.empty()) return std::nullopt;
+    own = sim::load_description(named, sim_kinds(), {}, problems);
     if (!own) return std::nullopt;
     robot = &*own;
   }
@@ -73,16 +91,10 @@ std::optional<Prepared> prepare(const std::filesystem::path& path, const std::ve
   Experiment& experiment = prepared.experiment;
   if (experiment.files.controller.empty()) return std::nullopt;
   if (experiment.files.robot.empty()) {  // then the robot the controller was drawn for
-    if (const auto root = config::load(experiment.files.controller)) {
-      Problems unused;
-      experiment.files.robot = read_controller(*root, controller_kinds(), unused).robot;
-    }
+    const auto root = config::load(experiment.files.controller);
+    if (root) experiment.files.robot = robot_named_by(*root, problems);
   }
-  prepared.robot = sim::load_robot(experiment.files.robot, sim_kinds(), experiment.robot_overrides, problems);
-  if (prepared.robot != nullptr && !prepared.robot->simulated()) {
-    problems.add({experiment.files.robot.string()}, ErrorCode::MissingKey,
-                 "describes a robot without [drive]: it cannot be simulated");
-  }
+  prepared.robot = load_robot(experiment, problems);
   const RobotDescription* description = prepared.robot != nullptr ? &prepared.robot->description : nullptr;
   auto model = load_controller(experiment.files.controller, experiment.controller_overrides, description, problems);
   prepared.ground = load_ground(experiment, problems);

@@ -127,7 +127,9 @@ void DynamicMapRouter::note_arrival(const RouteStep& step) noexcept {
 
 void DynamicMapRouter::note_failure(const RouteStep& step, bool untouched) noexcept {
   const Blame found = blame(map_, step);
-  map_.fail(found.cell, now_, found.certain && !untouched);
+  const auto certain = untouched ? grid::FailureCause::Untouched : grid::FailureCause::Cell;
+  map_.fail(found.cell, now_, found.certain ? certain : grid::FailureCause::Unclear);
+  if (!found.certain) map_.close_diagonal(step.from, step.direction);
   ++failures_;
 }
 

@@ -25,11 +25,10 @@ class GridBot {
   /// Drawn with the first line on top: '#' wall, anything else free. Outside is wall.
   explicit GridBot(const std::vector<std::string>& lines) : rows_(static_cast<int>(lines.size())) {
     columns_ = static_cast<int>(lines.front().size());
-    for (int row = 0; row < rows_; ++row) {
-      for (int column = 0; column < columns_; ++column) {
-        if (lines[static_cast<std::size_t>(rows_ - 1 - row)][static_cast<std::size_t>(column)] == '#') {
-          walls.insert({column, row});
-        }
+    for (int r = 0; r < rows_; ++r) {
+      const std::string& line = lines[static_cast<std::size_t>(rows_ - 1 - r)];
+      for (int c = 0; c < columns_; ++c) {
+        if (line[static_cast<std::size_t>(c)] == '#') walls.insert({c, r});
       }
     }
   }
@@ -69,8 +68,10 @@ class GridBot {
     heading = wanted;
     column += kColumns[k];
     row += kRows[k];
-    length += k % 2 == 0 ? 1 : std::numbers::sqrt2;
-    cost_j = 2 * (k % 2 == 0 ? 1 : std::numbers::sqrt2) * dearness(column, row);
+    const double step = k % 2 == 0 ? 1 : std::numbers::sqrt2;
+    length += step;
+    weighted += forward ? step : 2 * step;
+    cost_j = 2 * step * dearness(column, row);
   }
 
   static constexpr int kColumns[8] = {1, 1, 0, -1, -1, -1, 0, 1};
@@ -79,7 +80,8 @@ class GridBot {
   int column = 0, row = 0, heading = 0;
   bool contact = false;
   double cost_j = 0;
-  double length = 0;  ///< Driven so far, in cells.
+  double length = 0;    ///< Driven so far, in cells.
+  double weighted = 0;  ///< The same, backwards counted twice.
   int steps = 0, bumps = 0, backward_steps = 0, illegal = 0;
   std::set<std::pair<int, int>> walls;
   std::set<std::pair<int, int>> blocks;  ///< Obstacles that a test moves about.

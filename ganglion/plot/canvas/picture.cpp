@@ -4,6 +4,7 @@
 #include <cairo-svg.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "ganglion/base/file.h"
@@ -25,8 +26,8 @@ cairo_status_t append(void* sink, const unsigned char* data, unsigned length) {
 }
 
 Surface make_surface(const Picture& picture, PictureFormat format, std::string& sink) {
-  const double width = picture.width_px;
-  const double height = picture.height_px;
+  const double width = std::ceil(picture.width_px);
+  const double height = std::ceil(picture.height_px);
   switch (format) {
     case PictureFormat::Svg: {
       Surface surface(cairo_svg_surface_create_for_stream(append, &sink, width, height), cairo_surface_destroy);
@@ -58,7 +59,7 @@ cairo_status_t draw(const Picture& picture, PictureFormat format, cairo_surface_
   const Context context(cairo_create(surface), cairo_destroy);
   cairo_scale(context.get(), scale_of(format), scale_of(format));
   Canvas canvas(context.get(), format == PictureFormat::Svg ? &texts : nullptr);
-  canvas.rectangle({0, 0}, {picture.width_px, picture.height_px}, Colour::hex(0xffffff));
+  canvas.rectangle({0, 0}, {std::ceil(picture.width_px), std::ceil(picture.height_px)}, Colour::hex(0xffffff));
   picture.draw(canvas);
   cairo_show_page(context.get());
   return cairo_status(context.get());

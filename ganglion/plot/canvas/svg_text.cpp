@@ -45,7 +45,20 @@ class Ids {
 /// Whether a number of the markup may begin after this letter.
 bool before_number(char c) noexcept { return std::string_view(" -\"(,").find(c) != std::string_view::npos; }
 
-/// Copies Cairo's markup, rounding what looks like a decimal number and renaming ids where they are made and used.
+/// Length of the style at the start of `svg` that says what holds anyway; 0 = none. All our corners are round, so that
+/// the limit of mitres means nothing.
+std::size_t default_length(std::string_view svg) noexcept {
+  static constexpr std::string_view kDefaults[] = {"stroke:none;",         "fill-rule:nonzero;",
+                                                   "fill-opacity:1;",      "stroke-opacity:1;",
+                                                   "stroke-linecap:butt;", "stroke-miterlimit:10;"};
+  if (svg.empty() || (svg[0] != 's' && svg[0] != 'f')) return 0;
+  for (const std::string_view text : kDefaults)
+    if (svg.starts_with(text)) return text.size();
+  return 0;
+}
+
+/// Copies Cairo's markup, leaving out defaults, rounding what looks like a decimal number and renaming ids where they
+/// are made and used.
 std::string copy_markup(std::string_view svg, std::string_view id_prefix) {
   static constexpr std::string_view kIdMarks[] = {"id=\"", "href=\"#", "url(#"};
   Ids ids(id_prefix);
@@ -57,6 +70,10 @@ std::string copy_markup(std::string_view svg, std::string_view id_prefix) {
       while (end < svg.size() && (is_digit(svg[end]) || svg[end] == '.')) ++end;
       result += rounded(svg.substr(i, end - i));
       i = end;
+      continue;
+    }
+    if (const std::size_t length = default_length(svg.substr(i)); length > 0) {
+      i += length;
       continue;
     }
     for (const std::string_view mark : kIdMarks)

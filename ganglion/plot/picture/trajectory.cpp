@@ -112,7 +112,8 @@ std::vector<Vector2> contacts(const RobotView& robot) {
   std::vector<Vector2> places;
   const Track& track = robot.track;
   for (std::size_t i = 0; i < track.touching.size(); ++i)
-    if (track.touching[i] && (i == 0 || !track.touching[i - 1])) places.push_back({track.x_m[i], track.y_m[i]});
+    if (track.touching[i] && (i == 0 || !track.touching[i - 1]) && std::isfinite(track.x_m[i] + track.y_m[i]))
+      places.push_back({track.x_m[i], track.y_m[i]});
   return places;
 }
 
@@ -150,8 +151,8 @@ void draw_names(Canvas& canvas, const Axes& axes, const RunView& run) {
       const Vector2 at = axes.at({robot.track.x_m.front(), robot.track.y_m.front()});
       const std::string name = canvas.fitted(robot.name, 90);
       const double width = canvas.text_width(name);
-      const bool left = at.x + 12 + width > axes.right();
-      const double x = left ? at.x - 12 - width : at.x + 12;
+      const bool left = at.x + 16 + width > axes.right();
+      const double x = left ? at.x - 16 - width : at.x + 16;
       canvas.rectangle({x - 2, at.y - 9}, {width + 4, 16}, Colour::hex(0xffffff).faded(0.85));
       canvas.text({x, at.y + 4}, name);
     }

@@ -21,7 +21,7 @@ struct Scene {
   const World& world;
   const Truth& robot;            ///< The robot that carries it.
   Pose2 mount{};                 ///< The sensor's own pose in the world.
-  std::span<const Disc> others;  ///< The other robots within its reach, ordered by index.
+  std::span<const Disc> others;  ///< The other robots near enough to matter, ordered by index.
   double radius_m = 0;           ///< Of the robot's own disc.
   std::uint32_t tick = 0;
   double time_s = 0;

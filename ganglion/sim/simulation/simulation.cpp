@@ -42,21 +42,24 @@ Result<void> Simulation::add_robot() {
     for (const PortDescriptor& port : sensor.kind->descriptor.ports) size += static_cast<std::size_t>(port.size);
     robot.devices.emplace_back(sensor, std::move(*made), std::span<double>(robot.values).subspan(offset, size));
     offset += size;
+    reach_m_ = std::max(reach_m_, robot.devices.back().sensor().reach_m());
   }
   expects(offset == robot.values.size());
   return {};
 }
 
-Scene Simulation::scene(std::size_t robot, const Device& device, std::uint32_t tick, double time_s) noexcept {
-  const Truth& truth = robots_[robot].body.truth();
+void Simulation::look_round(std::size_t robot) noexcept {
   others_.clear();
-  if (const double reach_m = device.sensor().reach_m(); reach_m > 0) {
-    for (std::size_t i = 0; i < discs_.size(); ++i) {
-      const double far_m = reach_m + discs_[i].radius_m + config_.model->radius_m;
-      const bool near = (discs_[i].position - truth.pose.position).squared() <= far_m * far_m;
-      if (i != robot && near) others_.push_back(discs_[i]);
-    }
+  if (!(reach_m_ > 0)) return;
+  const Vector2 here = discs_[robot].position;
+  for (std::size_t i = 0; i < discs_.size(); ++i) {
+    const double far_m = reach_m_ + discs_[i].radius_m + config_.model->radius_m;
+    if (i != robot && (discs_[i].position - here).squared() <= far_m * far_m) others_.push_back(discs_[i]);
   }
+}
+
+Scene Simulation::scene(std::size_t robot, const Device& device, std::uint32_t tick, double time_s) const noexcept {
+  const Truth& truth = robots_[robot].body.truth();
   return {.world = world_,
           .robot = truth,
           .mount = truth.pose.then(device.model().mount),
@@ -79,6 +82,7 @@ Result<void> Simulation::reset(std::uint64_t seed, std::uint32_t episode) {
     discs_.push_back(robots_[i].body.disc());
   }
   for (std::size_t i = 0; i < robots_.size(); ++i) {
+    look_round(i);
     for (Device& device : robots_[i].devices) {
       const StreamId stream{seed, episode, static_cast<std::uint32_t>(i), hash_name(device.model().id)};
       if (auto ready = device.reset(scene(i, device, 0, 0), stream); !ready) return ready;
@@ -149,8 +153,11 @@ void Simulation::tell_bumps(std::size_t robot, double time_s) noexcept {
 
 void Simulation::run_devices(double begin_s, double now_s, double end_s) noexcept {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
+    bool looked = false;
     for (Device& device : robots_[i].devices) {
       if (!device.wants(begin_s, now_s, end_s)) continue;
+      if (!looked) look_round(i);
+      looked = true;
       device.follow(scene(i, device, tick_ + 1, now_s), begin_s, end_s);
     }
   }

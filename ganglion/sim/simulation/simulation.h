@@ -59,7 +59,9 @@ class Simulation final : public Application {
   explicit Simulation(SimulationConfig config, Spawner spawner);
   Result<void> add_robot();
   const Robot& robot_at(int robot) const noexcept { return robots_[static_cast<std::size_t>(robot)]; }
-  Scene scene(std::size_t robot, const Device& device, std::uint32_t tick, double time_s) noexcept;
+  /// Gathers in others_ the robots that the sensors of one may see.
+  void look_round(std::size_t robot) noexcept;
+  Scene scene(std::size_t robot, const Device& device, std::uint32_t tick, double time_s) const noexcept;
   void substep(int n, int count, double step_s, double end_s) noexcept;
   void move_robots(double elapsed_s, double step_s) noexcept;
   void tell_bumps(std::size_t robot, double time_s) noexcept;
@@ -71,6 +73,7 @@ class Simulation final : public Application {
   std::vector<Robot> robots_;
   std::vector<Disc> discs_;   // of all robots
   std::vector<Disc> others_;  // what a scene shows; room for all robots
+  double reach_m_ = 0;        // of the farthest-seeing sensor
   std::uint32_t tick_ = 0;
   std::uint32_t substeps_ = 0;
   double time_s_ = 0;

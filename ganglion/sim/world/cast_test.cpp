@@ -104,6 +104,21 @@ TEST(Cast, NeverLeaksThroughACornerOrAJoint) {
   }
 }
 
+TEST(Cast, ThatOnlyBrushesACornerIsNotInsideTheBox) {
+  const World world = world_of(std::string(kBox) + "yaw_deg = 20\n");
+  Draws draws({2, 0, 0, 1}, 0);
+  for (int i = 0; i < 20'000; ++i) {
+    const double x = draws.uniform(0, 10);
+    const Vector2 from{x, draws.uniform(-5, 5)};
+    if ((from - Vector2{5, 0}).length() < 2) continue;  // half the diagonal is 1.41 m
+    const Vector2 way = world.ground().plan().shapes.front().points[i % 4] - from;
+    const auto hit = world.cast(from, way * (1 / way.length()), 20);
+    if (hit) {
+      ASSERT_GT(hit->range_m, 0.5) << from.x << " " << from.y;
+    }
+  }
+}
+
 TEST(FarWall, LooksThroughFurniture) {
   const auto ground = ground_of(std::string(kBox) + "[[wall]]\npoints = [[9, -1], [9, 1]]\n");
   EXPECT_NEAR(ground->far_wall_m({0, 0}, {1, 0}), 9, 1e-12);
@@ -168,6 +183,27 @@ TEST(Clearance, IsTheDistanceToTheNearestSurfaceAndNegativeInside) {
   EXPECT_EQ(world.clearance({0, 0}, 2), 2);
   EXPECT_NEAR(world.clearance({4.25, 0}, 5), -0.25, 1e-12);
   EXPECT_NEAR(world.clearance({-20, 0}, 100), 24, 1e-12);  // from far outside the drawing
+}
+
+TEST(Clearance, IsRightAlongARowOfThings) {
+  Draws draws({3, 0, 0, 1}, 0);
+  for (int row = 0; row < 200; ++row) {  // a grid of one row: only left and right count
+    GroundPlan plan;
+    for (int i = 0; i < 6; ++i) {
+      plan.shapes.push_back({.kind = ShapeKind::Disc, .disc = {{draws.uniform(0, 20), 0}, 0.01}});
+    }
+    Problems problems;
+    const auto ground = Ground::make(std::move(plan), problems);
+    ASSERT_TRUE(ground);
+    for (int i = 0; i < 100; ++i) {
+      const double x = draws.uniform(-1, 21);
+      double expected = kInf;
+      for (const Shape& shape : ground->plan().shapes) {
+        expected = std::min(expected, std::fabs(std::fabs(x - shape.disc.position.x) - 0.01));
+      }
+      ASSERT_NEAR(std::fabs(ground->clearance({x, 0}, 100)), expected, 1e-12) << x;
+    }
+  }
 }
 
 TEST(Clearance, AgreesWithALoopOverAllSurfaces) {

@@ -68,6 +68,16 @@ TEST(Slide, StopsInAnAcuteCorner) {
   EXPECT_NEAR(at.x, -0.1 / std::tan(std::atan(0.5) / 2), 1e-7);
 }
 
+TEST(Slide, IsNotSqueezedIntoANarrowCornerByPushingOn) {
+  const World world = world_of("[[wall]]\npoints = [[-3, 0], [0, 0], [-3, 0.5]]\n");
+  Draws draws({1, 0, 0, 1}, 0);
+  Vector2 at{-2, 0.2};
+  for (int i = 0; i < 5000; ++i) {
+    at = world.slide(at, direction(draws.uniform(-0.6, 0.6)) * 0.05, 0.1).position;
+    ASSERT_GE(world.clearance(at, 1), 0.1) << "push " << i;
+  }
+}
+
 TEST(Slide, RoundsTheEndOfAWall) {
   const World world = world_of("[[wall]]\npoints = [[0, 0], [0, -5]]\n");
   const auto slide = world.slide({-1, 0.3}, {1, 0}, 0.5);  // touches the end at (-0.4, 0.3): a 3-4-5 triangle

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "ganglion/graph/controller.h"
-#include "ganglion/graph/example_kinds.h"
+#include "ganglion/graph/testing/example_kinds.h"
 
 /// Good controller files of the example kinds, and what the graph says of others.
 namespace ganglion::example {

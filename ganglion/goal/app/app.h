@@ -1,0 +1,35 @@
+#pragma once
+
+#include <array>
+
+#include "ganglion/module/global_goal.h"
+
+namespace ganglion {
+
+/// The application as trainer: what arrives on one sensation is what the acting module is asked for ("App" in the GFM
+/// papers). Other values replace a request that is still pending. What was reached or withdrawn is not asked again
+/// until other values come; a missing reading asks for nothing.
+///
+/// Feedback  request: as many values as the module's request has.
+/// Source    "A growing functional modules locomotion subsystem", results, section 5.
+class AppGoal final : public GlobalGoal {
+ public:
+  AppGoal(int priority_class, double intensity) noexcept : priority_class_(priority_class), intensity_(intensity) {}
+
+  void concluded(RequestStatus status, const Reason& reason) noexcept override;
+
+ private:
+  Bid bid(const Feedback& feedback) noexcept override;
+
+  struct Values {
+    std::array<double, kMaxCommandValues> data{};
+    std::size_t size = 0;
+    bool equal(std::span<const double> other) const noexcept;
+  };
+  int priority_class_;
+  double intensity_;
+  Values wanted_;  ///< Of the last bid.
+  Values done_;    ///< Last concluded.
+};
+
+}  // namespace ganglion

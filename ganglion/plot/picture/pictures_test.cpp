@@ -1,0 +1,137 @@
+#include "ganglion/plot/picture/pictures.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "ganglion/plot/sample/markup.h"
+#include "ganglion/plot/sample/sample_run.h"
+
+namespace ganglion::plot {
+namespace {
+
+std::string svg_of(const Picture& picture) {
+  const auto svg = render(picture, PictureFormat::Svg);
+  EXPECT_TRUE(svg) << picture.id << ": " << svg.error().message;
+  return svg.value_or("");
+}
+
+std::set<std::string> words_of(const Picture& picture) {
+  const auto texts = texts_in(svg_of(picture));
+  return {texts.begin(), texts.end()};
+}
+
+/// All texts of all pictures of a run.
+std::set<std::string> words_of(const RunView& run, Language language) {
+  std::set<std::string> words;
+  for (const Picture& picture : all_pictures(run, language)) words.merge(words_of(picture));
+  return words;
+}
+
+bool holds(const std::set<std::string>& words, std::initializer_list<const char*> wanted) {
+  return std::ranges::all_of(wanted, [&](const char* word) { return words.contains(word); });
+}
+
+TEST(EveryPicture, IsWellFormedWithTitleAndDescription) {
+  for (const RunView& run : {sample_behaviour_run(1, 30), sample_behaviour_run(3, 30), sample_router_run(), empty_run(),
+                             unreadable_run(), RunView{}})
+    for (const Picture& picture : all_pictures(run, Language::Spanish)) {
+      const std::string svg = svg_of(picture);
+      EXPECT_EQ(fault_in_markup(svg), "") << run.name << " " << picture.id;
+      EXPECT_NE(svg.find("<title id=\"title\">"), std::string::npos);
+      EXPECT_NE(svg.find("<desc id=\"desc\">"), std::string::npos);
+      EXPECT_EQ(svg.find("nan"), std::string::npos) << run.name << " " << picture.id;
+      EXPECT_EQ(svg.find("inf"), std::string::npos) << run.name << " " << picture.id;
+    }
+}
+
+TEST(EveryPicture, SaysNothingInEnglishToReadersOfSpanish) {
+  const std::set<std::string> of_the_run{"x [m]", "y [m]", "1 m", "escape", "avoid", "navigate", "arbiter"};
+  for (const RunView& run : {sample_behaviour_run(1, 30), sample_router_run(), unreadable_run()}) {
+    const auto english = words_of(run, Language::English);
+    for (const std::string& word : words_of(run, Language::Spanish)) {
+      const bool is_name = word.find('.') != std::string::npos || word.find('_') != std::string::npos;
+      const bool has_letters = std::ranges::any_of(word, [](unsigned char c) { return std::isalpha(c) != 0; });
+      if (has_letters && !is_name && !of_the_run.contains(word)) {
+        EXPECT_FALSE(english.contains(word)) << word;
+      }
+    }
+  }
+}
+
+TEST(TrajectoryPicture, ExplainsTheBehavioursThatDrove) {
+  const RunView run = sample_behaviour_run(1, 60);
+  EXPECT_TRUE(holds(words_of(trajectory_picture(run, Language::English)),
+                    {"Legend", "start", "end", "escape", "avoid", "navigate", "contact", "wall", "static obstacle",
+                     "dynamic obstacle", "x [m]", "y [m]"}));
+  EXPECT_FALSE(words_of(trajectory_picture(run, Language::English)).contains("goal"));
+}
+
+TEST(TrajectoryPicture, HasTheLegendOfThePaperForARouter) {
+  const RunView run = sample_router_run();
+  EXPECT_TRUE(holds(words_of(trajectory_picture(run, Language::Spanish)),
+                    {"Leyenda", "inicio", "trayectoria", "objetivo", "objetivo abandonado", "intento fallido",
+                     "obstáculo estático", "obstáculo dinámico"}));
+}
+
+TEST(TrajectoryPicture, NamesTheRobotsWhereThereAreSeveral) {
+  const RunView run = sample_behaviour_run(3, 30);
+  EXPECT_TRUE(holds(words_of(trajectory_picture(run, Language::English)), {"robot0", "robot1", "robot2"}));
+}
+
+TEST(LearnedMapPicture, HasAScaleOfRiskAndAllItsMarks) {
+  const RunView run = sample_router_run();
+  const auto pictures = learned_map_pictures(run, Language::English);
+  ASSERT_EQ(pictures.size(), 1u);
+  EXPECT_TRUE(holds(words_of(pictures[0]),
+                    {"risk", "0", "0.25", "0.5", "0.75", "1", "occupied", "dynamic", "inhibited", "unexplored"}));
+}
+
+TEST(SignalPicture, ShowsEverySignalWithItsUnit) {
+  const RunView run = sample_behaviour_run(1, 30);
+  const auto pictures = signal_pictures(run, Language::English);
+  ASSERT_EQ(pictures.size(), 1u);
+  EXPECT_TRUE(
+      holds(words_of(pictures[0]), {"truth.x_m [m]", "truth.yaw_rad [rad]", "sonar_left [m]", "arbiter.active",
+                                    "drive.right", "time [s]", "no valid reading", "nothing in range", "too close"}));
+}
+
+TEST(SignalPicture, SaysWhereThereWasNeverAReading) {
+  const RunView run = unreadable_run();
+  const auto texts = texts_in(svg_of(signal_pictures(run, Language::Spanish).at(0)));
+  EXPECT_EQ(std::ranges::count(texts, "sin lectura válida"), 11);  // ten signals and the legend
+}
+
+TEST(SignalPicture, SplitsManySignalsOverPictures) {
+  RunView run = sample_behaviour_run(1, 1);
+  SignalTable& signals = run.robots[0].signals;
+  signals = {};
+  for (int i = 0; i < 130; ++i) signals.columns.push_back({"signal", ""});
+  EXPECT_EQ(signal_pictures(run, Language::English).size(), 3u);
+}
+
+TEST(BehaviourPicture, NamesCoordinatorAndCandidates) {
+  const RunView run = sample_behaviour_run(1, 30);
+  EXPECT_TRUE(
+      holds(words_of(behaviour_pictures(run, Language::Spanish).at(0)),
+            {"arbiter", "escape", "avoid", "navigate", "conduce", "quiere, suprimido", "en reposo", "tiempo [s]"}));
+}
+
+TEST(EveryPicture, KeepsNamesThatCarryMarkupAsText) {
+  RunView run = sample_router_run();
+  run.name = "<script>alert(1)</script>";
+  run.robots[0].name = "\"><svg onload=alert(1)>";
+  run.robots[0].maps[0].component = "../../etc/passwd";
+  run.robots[0].signals.columns[0].name = "]]><script>";
+  for (const Picture& picture : all_pictures(run, Language::English)) {
+    const std::string svg = svg_of(picture);
+    EXPECT_EQ(fault_in_markup(svg), "");
+    EXPECT_EQ(svg.find("<script"), std::string::npos);
+    EXPECT_EQ(svg.find("<svg onload"), std::string::npos);
+    EXPECT_EQ(picture.id.find_first_of("./<> "), std::string::npos) << picture.id;
+  }
+}
+
+}  // namespace
+}  // namespace ganglion::plot

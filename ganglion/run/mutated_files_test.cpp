@@ -1,0 +1,74 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "ganglion/base/file.h"
+#include "ganglion/config/format.h"
+#include "ganglion/config/testing/mutator.h"
+#include "ganglion/run/check_file.h"
+
+// The files people copy are the ones in experiments/: whatever happens to one is either told with its place or
+// understood, and then the same after formatting.
+namespace ganglion {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kExperiments = fs::path(GANGLION_SOURCE_DIR) / "experiments";
+
+/// A copy of all experiments to spoil files in.
+class MutatedFiles : public ::testing::Test {
+ protected:
+  MutatedFiles() : folder_(fs::temp_directory_path() / "ganglion_mutated_files") {
+    fs::remove_all(folder_);
+    fs::copy(kExperiments, folder_, fs::copy_options::recursive);
+    for (const auto& entry : fs::recursive_directory_iterator(folder_)) {
+      if (entry.path().extension() == ".toml") files_.push_back(entry.path());
+    }
+    std::sort(files_.begin(), files_.end());
+  }
+  ~MutatedFiles() override { fs::remove_all(folder_); }
+
+  static Problems judged(const fs::path& file, const std::string& text) {
+    EXPECT_TRUE(write_file(file, text));
+    Problems problems;
+    check_file(file, problems);
+    return problems;
+  }
+
+  /// Whether it was accepted.
+  static bool judge(const fs::path& file, const std::string& text) {
+    const Problems problems = judged(file, text);
+    for (const Error& error : problems.sorted()) {
+      EXPECT_FALSE(error.place.file.empty()) << error.text() << "\n" << text;
+      EXPECT_GT(error.place.line, 0) << error.text() << "\n" << text;
+    }
+    if (!problems.empty()) return false;
+    const auto formatted = config::format(text, file.string());
+    EXPECT_TRUE(formatted) << text;
+    if (!formatted) return true;
+    EXPECT_TRUE(config::equal(*config::parse(text, ""), *config::parse(*formatted, ""))) << text;
+    EXPECT_EQ(judged(file, *formatted).text(), "") << text;
+    return true;
+  }
+
+  fs::path folder_;
+  std::vector<fs::path> files_;
+};
+
+TEST_F(MutatedFiles, AreRejectedWithAPlaceOrUnderstoodAndKept) {
+  ASSERT_FALSE(files_.empty());
+  config::Mutator mutator(3);
+  int accepted = 0, rejected = 0;
+  for (std::size_t i = 0; i < 300; ++i) {
+    const fs::path& file = files_[i % files_.size()];
+    const std::string good = *read_file(file);
+    ++(judge(file, mutator.mutated(good)) ? accepted : rejected);
+    ASSERT_TRUE(write_file(file, good));
+  }
+  EXPECT_GT(accepted, 30);
+  EXPECT_GT(rejected, 100);
+}
+
+}  // namespace
+}  // namespace ganglion
