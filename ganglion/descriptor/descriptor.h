@@ -41,9 +41,10 @@ std::string_view name_of(PortRole) noexcept;
 struct PortDescriptor {
   std::string_view name;
   PortRole role = PortRole::Feedback;
-  std::string_view unit = "";  ///< SI, "" = dimensionless, "*" = whatever is wired.
+  std::string_view unit = "";  ///< SI, "" = dimensionless, "*" = whatever is wired (see size).
   ValueType type = ValueType::Real;
-  int size = 1;                                  ///< Values of one wire; 0 = whatever is wired.
+  /// Values of one wire; 0 = whatever is wired. An Output left open has the shape or unit of the first open Feedback.
+  int size = 1;
   std::span<const std::string_view> elements{};  ///< Names of the values where there are several, else empty.
   bool required = true;                          ///< Inputs: whether a controller must wire it.
   bool many =

@@ -39,7 +39,7 @@ bool commands_or_requests(const ComponentModel& component, const Wire& wire) noe
 
 /// Where the commands go that do not go to the robot directly.
 struct Takers {
-  std::vector<std::string> of;  ///< For each component the one that takes its command; "" = none.
+  std::vector<std::string> of;  ///< For each component the one that takes its command or bids; "" = none.
   bool complete = true;         ///< Every wire for commands was understood.
 };
 
@@ -50,11 +50,13 @@ Takers find_takers(const ControllerModel& model, Problems& problems) {
       for (const Source& source : wire.sources) {
         const bool understood = source.kind != Source::Kind::Unresolved;
         takers.complete = takers.complete && (understood || !commands_or_requests(component, wire));
-        if (source.kind != Source::Kind::ModuleCommand) continue;
+        const bool goal = source.kind == Source::Kind::Goal;
+        if (source.kind != Source::Kind::ModuleCommand && !goal) continue;
         std::string& already = takers.of[static_cast<std::size_t>(source.component)];
         if (!already.empty()) {
           report_wire(problems, component, source.place,
-                      fmt::format("the command of \"{}\" already goes to \"{}\"", source.text, already));
+                      goal ? fmt::format("\"{}\" already asks \"{}\"", source.text, already)
+                           : fmt::format("the command of \"{}\" already goes to \"{}\"", source.text, already));
         }
         already = component.id;
       }

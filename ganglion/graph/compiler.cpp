@@ -1,66 +1,50 @@
+#include "ganglion/graph/compiler.h"
+
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
-#include "ganglion/graph/controller.h"
+#include "ganglion/graph/loops.h"
 
 namespace ganglion {
 
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
-/// Lays a resolved model out as a Controller.
-class Compiler {
- public:
-  Compiler(const ControllerModel& model, const RobotDescription& robot, const KindList& kinds, const Identity& identity)
-      : model_(model), robot_(robot), kinds_(kinds), identity_(identity) {}
+Result<Controller> Compiler::run() {
+  if (auto fit = check_limits(); !fit) return tl::unexpected<Error>(fit.error());
+  Problems problems;
+  controller_.schedule_ = order(model_, problems);
+  if (!problems.empty()) return tl::unexpected<Error>(problems.sorted().front());
+  for (const ComponentModel& model : model_.components) {
+    if (auto made = make_part(model); !made) return tl::unexpected<Error>(made.error());
+  }
+  lay_out_signals();
+  lay_out_commands();
+  lay_out_inputs();
+  if (values_ > kMaxValues) {
+    return fail(ErrorCode::TooLarge, "its signals and inputs have {} values; the limit is {}", values_, kMaxValues);
+  }
+  reserve();
+  for (std::size_t i = 0; i < model_.components.size(); ++i) connect(i);
+  connect_answers();
+  join_digest();
+  controller_.block_->before = controller_.block_->now;
+  controller_.grow();
+  return std::move(controller_);
+}
 
-  Result<Controller> run() {
-    Problems problems;
-    controller_.schedule_ = order(model_, problems);
-    if (!problems.empty()) return tl::unexpected<Error>(problems.sorted().front());
-    for (const ComponentModel& model : model_.components) {
-      if (auto made = make_part(model); !made) return tl::unexpected<Error>(made.error());
+/// Whatever a robot says of itself, no command may leave the controller that is not a number.
+Result<void> Compiler::check_limits() const {
+  for (const CommandChannel& channel : robot_.commands) {
+    for (const CommandElement& element : channel.elements) {
+      const bool sound = element.min <= element.safe && element.safe <= element.max && std::isfinite(element.safe);
+      if (sound) continue;
+      return fail(ErrorCode::BadParameter, "robot \"{}\": {}.{}: its safe value {} must lie within [{}, {}]",
+                  robot_.name, channel.name, element.name, element.safe, element.min, element.max);
     }
-    lay_out_signals();
-    lay_out_commands();
-    lay_out_inputs();
-    reserve();
-    for (std::size_t i = 0; i < model_.components.size(); ++i) connect(i);
-    join_digest();
-    controller_.grow();
-    return std::move(controller_);
   }
-
- private:
-  using Part = Controller::Part;
-
-  Result<void> make_part(const ComponentModel& model);
-  void lay_out_signals();
-  void lay_out_commands();
-  void lay_out_inputs();
-  void lay_out_wire(Part& part, const Source& source);
-  void reserve();
-  void connect(std::size_t index);
-  void connect_acting(std::size_t index, const Links& links);
-  void connect_candidates(Part& part, const ComponentModel& model);
-  void join_digest();
-  std::size_t add_signal(const std::string& name, const std::string& unit) {
-    controller_.signals_.push_back({name, unit});
-    return controller_.signals_.size() - 1;
-  }
-  Part& part(int index) { return controller_.parts_[static_cast<std::size_t>(index)]; }
-
-  const ControllerModel& model_;
-  const RobotDescription& robot_;
-  const KindList& kinds_;
-  Identity identity_;
-  Controller controller_;
-  std::size_t values_ = 0, ages_ = 0;
-  std::size_t command_age_ = 0;  // one for the whole command frame
-  struct InputStretch {
-    std::size_t first, count, age_first, ages;
-  };
-  std::vector<std::vector<InputStretch>> inputs_;  // for each component, for each input of its descriptor
-};
+  return {};
+}
 
 template <class Product>
 Result<void> make(std::span<const Kind<Product>* const> kinds, const ComponentModel& model,
@@ -148,6 +132,8 @@ void Compiler::lay_out_signals() {
 }
 
 void Compiler::lay_out_commands() {
+  controller_.sense_values_ = static_cast<std::size_t>(robot_.sensation_values());
+  controller_.sense_channels_ = robot_.sensations.size();
   controller_.command_frame_.first = controller_.signals_.size();
   for (std::size_t c = 0; c < robot_.commands.size(); ++c) {
     const CommandChannel& channel = robot_.commands[c];
@@ -165,22 +151,20 @@ void Compiler::lay_out_commands() {
 }
 
 void Compiler::lay_out_inputs() {
+  loops_ = loops_of(model_);
   command_age_ = ages_++;
   inputs_.resize(model_.components.size());
   for (std::size_t i = 0; i < model_.components.size(); ++i) {
     const ComponentModel& model = model_.components[i];
-    Part& part = controller_.parts_[i];
-    part.in_ages.first = ages_;
     if (model.descriptor == nullptr) continue;
     for (std::size_t p = 0; p < model.descriptor->ports.size(); ++p) {
       if (!is_input(model.component_class, model.descriptor->ports[p].role)) continue;
       const std::size_t first = values_, age_first = ages_;
       if (const Wire* wire = model.wire(static_cast<int>(p))) {
-        for (const Source& source : wire->sources) lay_out_wire(part, source);
+        for (const Source& source : wire->sources) lay_out_wire(i, model.descriptor->ports[p], source);
       }
       inputs_[i].push_back({first, values_ - first, age_first, ages_ - age_first});
     }
-    part.in_ages.count = ages_ - part.in_ages.first;
   }
 }
 
@@ -189,8 +173,9 @@ struct Origin {
   std::size_t value, age;
 };
 
-void Compiler::lay_out_wire(Part& part, const Source& source) {
+void Compiler::lay_out_wire(std::size_t index, const PortDescriptor& port, const Source& source) {
   if (source.size == 0) return;  // goals and commands do not travel by value
+  Part& part = controller_.parts_[index];
   Origin origin{};
   if (source.kind == Source::Kind::RobotCommand) {
     const auto channel = static_cast<std::size_t>(source.component);
@@ -199,15 +184,19 @@ void Compiler::lay_out_wire(Part& part, const Source& source) {
   } else {
     const Part& from = controller_.parts_[static_cast<std::size_t>(source.component)];
     const auto& outputs = model_.components[static_cast<std::size_t>(source.component)].outputs;
-    std::size_t port = 0;
-    if (source.kind == Source::Kind::Output) port = static_cast<std::size_t>(source.port);
-    if (source.kind == Source::Kind::SensationAge) port = 1;
-    origin = {from.signals.first, from.out_ages.first + port};
-    for (std::size_t o = 0; o < port; ++o) origin.value += static_cast<std::size_t>(outputs[o].size());
+    std::size_t output = 0;
+    if (source.kind == Source::Kind::Output) output = static_cast<std::size_t>(source.port);
+    if (source.kind == Source::Kind::SensationAge) output = 1;
+    origin = {from.signals.first, from.out_ages.first + output};
+    for (std::size_t o = 0; o < output; ++o) origin.value += static_cast<std::size_t>(outputs[o].size());
   }
   if (source.element > 0) origin.value += static_cast<std::size_t>(source.element);
   const auto count = static_cast<std::size_t>(source.size);
   part.gather.push_back({values_, origin.value, count, ages_, origin.age, source.previous});
+  // Neither an expectation nor a percept's own past, come back by a loop, is a reading that ages it.
+  const bool loop = source.kind == Source::Kind::Output && source.previous &&
+                    loops_[static_cast<std::size_t>(source.component)] == loops_[index];
+  if (port.role != PortRole::Appraisal && !loop) part.aged_by.push_back(ages_);
   values_ += count;
   ++ages_;
 }
@@ -224,97 +213,7 @@ void Compiler::reserve() {
   const ActFrame safe = make_act_frame(robot_);
   std::copy(safe.values.begin(), safe.values.end(),
             block.now.begin() + static_cast<std::ptrdiff_t>(controller_.command_frame_.first));
-  block.before = block.now;
   block.ages_before = block.ages;
-}
-
-void Compiler::connect(std::size_t index) {
-  const ComponentModel& model = model_.components[index];
-  Part& part = controller_.parts_[index];
-  Controller::Block& block = *controller_.block_;
-  if (model.descriptor == nullptr) return;
-  for (const InputStretch& input : inputs_[index]) {
-    part.views.push_back({std::span<const double>(block.now).subspan(input.first, input.count),
-                          std::span<const double>(block.ages).subspan(input.age_first, input.ages)});
-  }
-  Links links;
-  std::size_t at = part.signals.first;
-  for (const OutputShape& output : model.outputs) {
-    const auto span = std::span<double>(block.now).subspan(at, static_cast<std::size_t>(output.size()));
-    if (output.declared) part.outputs.push_back(span);
-    at += span.size();
-    const PortDescriptor* port = model.descriptor->port(output.name);
-    if (port != nullptr && port->role == PortRole::Appraisal) links.appraisal = span;
-  }
-  links.inputs = part.views;
-  links.outputs = part.outputs;
-  links.stream = {identity_.seed, identity_.episode, identity_.robot, hash_name(model.id)};
-  if (part.sensing) part.sensing->bind(links);
-  if (part.goal) part.goal->bind(links);
-  if (part.acting) connect_acting(index, links);
-  if (part.coordinator) {
-    connect_candidates(part, model);
-    part.coordinator->bind(links);
-  }
-}
-
-void Compiler::connect_acting(std::size_t index, const Links& links) {
-  const ComponentModel& model = model_.components[index];
-  Part& part = controller_.parts_[index];
-  ActingLinks joints;
-  std::size_t input = 0;
-  bool satisfied_found = false;
-  for (std::size_t p = 0; p < model.descriptor->ports.size(); ++p) {
-    const PortDescriptor& port = model.descriptor->ports[p];
-    if (!is_input(model.component_class, port.role)) continue;
-    if (port.role == PortRole::Feedback && !satisfied_found) {
-      satisfied_found = true;
-      joints.satisfied_by = input;
-      joints.circular = port.type == ValueType::Circular;
-    }
-    ++input;
-    if (port.role != PortRole::Request) continue;
-    if (!part.request) part.request = std::make_unique<RequestSlot>();
-    part.request->width = port.elements.empty() ? port.size : static_cast<int>(port.elements.size());
-    const Wire* wire = model.wire(static_cast<int>(p));
-    if (wire == nullptr) continue;
-    std::vector<GlobalGoal*> goals;
-    for (const Source& source : wire->sources) {
-      Controller::Part& from = this->part(source.component);
-      if (source.kind == Source::Kind::Goal) goals.push_back(from.goal.get());
-      if (source.kind == Source::Kind::ModuleCommand) from.below = part.request.get();
-    }
-    if (!goals.empty()) part.arbiter.emplace(std::move(goals), model.preemption);
-  }
-  joints.request = part.request.get();
-  joints.tolerance = model.tolerance;
-  part.acting->bind(links);
-  part.acting->join(joints);
-}
-
-void Compiler::connect_candidates(Part& part, const ComponentModel& model) {
-  for (const Wire& wire : model.wires) {
-    for (const Source& source : wire.sources) {
-      if (source.kind != Source::Kind::ModuleCommand) continue;
-      const Part& from = this->part(source.component);
-      part.candidates.push_back(from.acting ? &from.acting->command() : &from.command);
-      part.candidate_parts.push_back(source.component);
-    }
-  }
-  part.shares.assign(part.candidates.size(), 0);
-}
-
-void Compiler::join_digest() {
-  for (Part& part : controller_.parts_) {
-    part.digest = controller_.digest_.join(identity_.robot, part.id);
-    if (part.acting && part.below != nullptr) part.acting->set_below(part.below);
-  }
-  controller_.command_digest_ = controller_.digest_.join(identity_.robot, "@commands");
-}
-
-Result<Controller> Controller::compile(const ControllerModel& model, const RobotDescription& robot,
-                                       const KindList& kinds, const Identity& identity) {
-  return Compiler(model, robot, kinds, identity).run();
 }
 
 }  // namespace ganglion

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ganglion {
 namespace {
@@ -20,7 +21,8 @@ void Controller::tick(const SenseFrame& frame, double step_s, ActFrame& act) noe
   for (const int index : schedule_.upward) {
     Part& part = parts_[static_cast<std::size_t>(index)];
     gather(part);
-    part.acting->settle(tick, cost);
+    const bool through = part.charged_by >= 0;
+    part.acting->settle(tick, through ? parts_[static_cast<std::size_t>(part.charged_by)].acting->last_cost() : cost);
   }
   run_goals(tick);
   run_acting(tick);
@@ -31,13 +33,16 @@ void Controller::tick(const SenseFrame& frame, double step_s, ActFrame& act) noe
 }
 
 void Controller::sense(const SenseFrame& frame) noexcept {
+  expects(frame.values.size() == sense_values_ && frame.ages_s.size() == sense_channels_);
   Block& block = *block_;
   for (Part& part : parts_) {
     if (part.component_class != ComponentClass::Sensation) continue;
     const std::size_t count = part.signals.count - 1;  // the last one is the age
-    std::copy_n(frame.values.begin() + static_cast<std::ptrdiff_t>(part.frame_offset), count,
-                block.now.begin() + static_cast<std::ptrdiff_t>(part.signals.first));
-    const double age_s = frame.ages_s[part.channel];
+    for (std::size_t i = 0; i < count; ++i) {
+      block.now[part.signals.first + i] = frame.values[part.frame_offset + i] + 0.0;  // -0 becomes 0
+    }
+    const double told_s = frame.ages_s[part.channel];
+    const double age_s = told_s >= 0 ? told_s : std::numeric_limits<double>::infinity();
     block.now[part.signals.first + count] = age_s;
     block.ages[part.out_ages.first] = age_s;
     block.ages[part.out_ages.first + 1] = 0;
@@ -55,6 +60,10 @@ void Controller::gather(Part& part) noexcept {
   }
 }
 
+void Controller::set_ages(const Part& part, double age_s) noexcept {
+  std::fill_n(block_->ages.begin() + static_cast<std::ptrdiff_t>(part.out_ages.first), part.out_ages.count, age_s);
+}
+
 void Controller::run_sensing(const Tick& tick) noexcept {
   Block& block = *block_;
   for (const int index : schedule_.sensing) {
@@ -62,9 +71,8 @@ void Controller::run_sensing(const Tick& tick) noexcept {
     gather(part);
     part.sensing->cycle(tick);
     double oldest_s = 0;  // a percept is as old as the oldest reading it was made of
-    for (std::size_t i = 0; i < part.in_ages.count; ++i)
-      oldest_s = std::max(oldest_s, block.ages[part.in_ages.first + i]);
-    std::fill_n(block.ages.begin() + static_cast<std::ptrdiff_t>(part.out_ages.first), part.out_ages.count, oldest_s);
+    for (const std::size_t age : part.aged_by) oldest_s = std::max(oldest_s, block.ages[age]);
+    set_ages(part, oldest_s);
   }
 }
 
@@ -73,6 +81,7 @@ void Controller::run_goals(const Tick& tick) noexcept {
   for (Part& part : parts_) {
     if (part.arbiter) part.arbiter->decide(tick, *part.request);
   }
+  for (const int index : schedule_.goals) set_ages(parts_[static_cast<std::size_t>(index)], 0);
 }
 
 void Controller::run_acting(const Tick& tick) noexcept {
@@ -89,7 +98,12 @@ void Controller::run_acting(const Tick& tick) noexcept {
 }
 
 void Controller::coordinate(Part& part, const Tick& tick) noexcept {
+  std::fill(part.shares.begin(), part.shares.end(), 0.0);
   part.command = part.coordinator->coordinate(Feedback{tick, part.views, part.granted}, part.candidates, part.shares);
+  const bool acts = part.command.kind == CommandKind::Act;
+  for (std::size_t i = 0; i < part.shares.size(); ++i) {  // what did not act had no part, whatever the kind says
+    if (!acts || part.candidates[i]->kind != CommandKind::Act) part.shares[i] = 0;
+  }
   if (part.below == nullptr) return;
   if (part.command.kind != CommandKind::Act) {
     part.below->clear();
@@ -118,7 +132,7 @@ void Controller::publish(Part& part) noexcept {
     const bool given = command.kind == CommandKind::Act && i < static_cast<std::size_t>(command.size);
     block.now[part.command_signals.first + i] = given ? command.values[i] : 0;
   }
-  std::fill_n(block.ages.begin() + static_cast<std::ptrdiff_t>(part.out_ages.first), part.out_ages.count, 0.0);
+  set_ages(part, 0);
 }
 
 /// What becomes of one command channel. Only commands that are numbers, as many as there should be, are carried out;
@@ -136,6 +150,7 @@ CommandOrigin Controller::write(const ChannelOut& channel, const Command& comman
 }
 
 void Controller::send(ActFrame& act, double step_s) noexcept {
+  expects(act.values.size() == command_frame_.count && act.origins.size() == channels_.size());
   const Command nothing;
   const double longest_s = std::max(kDefaultTtl_s, 1.5 * step_s);
   for (Part& part : parts_) part.granted = true;

@@ -94,18 +94,19 @@ class Controller {
     std::unique_ptr<RequestSlot> request;
     RequestSlot* below = nullptr;  ///< Of a coordinator whose command is a request.
     std::optional<GoalArbiter> arbiter;
-    std::vector<Copy> gather;  ///< Wires to copy before it runs.
-    Stretch signals;           ///< All its outputs.
-    Stretch out_ages;          ///< One age for each output.
-    Stretch in_ages;
-    std::size_t common = 0;   ///< First of the outputs common to the class.
-    Stretch command_signals;  ///< Of acting modules and coordinators: their command's values.
+    std::vector<Copy> gather;          ///< Wires to copy before it runs.
+    Stretch signals;                   ///< All its outputs.
+    Stretch out_ages;                  ///< One age for each output.
+    std::vector<std::size_t> aged_by;  ///< Of a sensing module: ages of the readings its percepts are made of.
+    std::size_t common = 0;            ///< First of the outputs common to the class.
+    Stretch command_signals;           ///< Of acting modules and coordinators: their command's values.
     std::vector<PortView> views;
     std::vector<std::span<double>> outputs;
     std::vector<const Command*> candidates;
     std::vector<int> candidate_parts;
     std::vector<double> shares;
-    Command command{};  ///< Of a coordinator.
+    int charged_by = -1;  ///< The module whose cost is its cost, behind coordinators; -1 = the application's.
+    Command command{};    ///< Of a coordinator.
     bool granted = true;
     std::size_t frame_offset = 0, channel = 0;  ///< Of a sensation.
     std::size_t digest = 0;
@@ -128,6 +129,7 @@ class Controller {
   void close(const Tick& tick) noexcept;
   void gather(Part& part) noexcept;
   void publish(Part& part) noexcept;
+  void set_ages(const Part& part, double age_s) noexcept;
   const Command& command_of(const Part& part) const noexcept;
 
   std::unique_ptr<Block> block_;
@@ -135,6 +137,7 @@ class Controller {
   std::vector<Signal> signals_;
   std::vector<ChannelOut> channels_;
   Stretch command_frame_;
+  std::size_t sense_values_ = 0, sense_channels_ = 0;
   Schedule schedule_;
   Digest digest_;
   std::size_t command_digest_ = 0;

@@ -217,5 +217,11 @@ TEST(Goals, OfAnotherShapeThanTheRequestAreWithdrawnAsBad) {
   }
 }
 
+TEST(Goals, ServeOneModuleOnly) {
+  const std::string text = contest(wish("wish", "values = [1]"), R"(["wish", "wish"])");
+  EXPECT_NE(testing::problems_of(text).find("seeker: \"wish\" already asks \"seeker\""), std::string::npos)
+      << testing::problems_of(text);
+}
+
 }  // namespace
 }  // namespace ganglion

@@ -83,6 +83,9 @@ struct ControllerModel {
 
 /// Most components a controller may have.
 inline constexpr std::size_t kMaxComponents = 4096;
+/// Most wires one input may take, and most values that all signals and inputs together may have.
+inline constexpr std::size_t kMaxWires = 4096;
+inline constexpr std::size_t kMaxValues = std::size_t{1} << 20;
 
 /// Reads a controller file. Every problem is reported at its place; the model holds what was understood.
 ControllerModel read_controller(const config::Value& root, const KindList& kinds, Problems& problems);

@@ -106,7 +106,7 @@ class WireReader {
   /// Inputs written without `in.` are told apart from unknown keys.
   void misplaced() {
     for (const std::string& name : names_) {
-      if (!table_.has(name) || descriptor_.parameter(name) != nullptr) continue;
+      if (name == "in" || !table_.has(name) || descriptor_.parameter(name) != nullptr) continue;
       table_.known(name);
       table_.problem(name, ErrorCode::UnknownKey, "\"{}\" is an input; write in.{} = \"...\"", name, name);
       given_.push_back(name);
@@ -119,6 +119,11 @@ class WireReader {
       in.problem(name, ErrorCode::UnknownKey, "{} has no input \"{}\"{}", descriptor_.name, name,
                  names_.empty() ? "; it takes none" : suggestion(name, names_));
       if (auto meant = nearest(name, names_)) given_.push_back(std::move(*meant));
+      return;
+    }
+    if (const config::Array* many = in.value(name)->array(); many != nullptr && many->size() > kMaxWires) {
+      in.problem(name, ErrorCode::TooLarge, "input \"{}\" has {} wires; the limit is {}", name, many->size(),
+                 kMaxWires);
       return;
     }
     Wire wire;

@@ -2,6 +2,7 @@
 
 #include "ganglion/base/text.h"
 #include "ganglion/graph/commands.h"
+#include "ganglion/graph/shapes.h"
 #include "ganglion/graph/wire_hints.h"
 
 namespace ganglion {
@@ -11,12 +12,15 @@ namespace {
 class Resolver {
  public:
   Resolver(ControllerModel& model, const RobotDescription& robot, Problems& problems)
-      : model_(model), robot_(robot), problems_(problems), hints_(model, robot) {}
+      : model_(model), robot_(robot), problems_(problems), hints_(model, robot), ids_(ids_of(model)) {}
 
   void run() {
-    for (ComponentModel& component : model_.components) bind_channel(component);
+    for (ComponentModel& component : model_.components) {
+      bind_channel(component);
+      check_name(component);
+    }
     bind_commands(model_, robot_, problems_);
-    for (ComponentModel& component : model_.components) shape_outputs(component);
+    if (!shape_outputs(model_, robot_, ids_, problems_)) return;
     for (ComponentModel& component : model_.components) {
       for (Wire& wire : component.wires) resolve_wire(component, wire);
     }
@@ -31,7 +35,7 @@ class Resolver {
   }
 
   void bind_channel(ComponentModel& component);
-  void shape_outputs(ComponentModel& component);
+  void check_name(const ComponentModel& component);
   void resolve_wire(ComponentModel& component, Wire& wire);
   void resolve_source(const ComponentModel& component, const PortDescriptor& port, Source& source);
   void resolve_data(const ComponentModel& component, const PortDescriptor& port, Source& source,
@@ -42,6 +46,7 @@ class Resolver {
   void check_shape(const ComponentModel& component, const PortDescriptor& port, const Source& source);
   void check_order(const ComponentModel& component, const PortDescriptor& port, const Source& source);
   std::string unit_of(const Source& source) const;
+  bool is_appraisal(const Source& source) const;
   bool has_part(int component, const std::string& name) const;
   bool misread(const std::string& id) const {
     return std::any_of(model_.misread.begin(), model_.misread.end(),
@@ -52,6 +57,7 @@ class Resolver {
   const RobotDescription& robot_;
   Problems& problems_;
   WireHints hints_;
+  ComponentIndex ids_;
 };
 
 std::vector<std::string> channel_names(const RobotDescription& robot) {
@@ -76,51 +82,10 @@ void Resolver::bind_channel(ComponentModel& component) {
   }
 }
 
-/// Names of the wires of the component's `many` input, for outputs that have one value each.
-std::vector<std::string> candidate_names(const ComponentModel& component) {
-  for (const Wire& wire : component.wires) {
-    if (!component.descriptor->ports[static_cast<std::size_t>(wire.port)].many) continue;
-    std::vector<std::string> names;
-    for (const Source& source : wire.sources) names.push_back(source.text.substr(0, source.text.find('@')));
-    return names;
-  }
-  return {};
-}
-
-OutputShape shape_of(const PortDescriptor& port, const ComponentModel& component, bool declared) {
-  OutputShape shape{std::string(port.name), std::string(port.unit), port.type, {}, declared};
-  if (port.many) {
-    shape.elements = candidate_names(component);
-  } else if (!port.elements.empty()) {
-    shape.elements.assign(port.elements.begin(), port.elements.end());
-  } else if (port.size > 1) {
-    for (int i = 0; i < port.size; ++i) shape.elements.push_back(std::to_string(i));
-  }
-  return shape;
-}
-
-void Resolver::shape_outputs(ComponentModel& component) {
-  component.outputs.clear();
-  if (component.component_class == ComponentClass::Sensation) {
-    OutputShape values{"", "", ValueType::Real, {}, true};
-    if (component.channel_index >= 0) {
-      const SensationChannel& channel = robot_.sensations[static_cast<std::size_t>(component.channel_index)];
-      values = {"", channel.unit, channel.type, channel.elements, true};
-    }
-    component.outputs = {std::move(values), {"age_s", "s", ValueType::Real, {}, false}};
-    return;
-  }
-  for (const PortDescriptor& port : component.descriptor->ports) {
-    if (port.role == PortRole::Output) component.outputs.push_back(shape_of(port, component, true));
-  }
-  for (const PortDescriptor& port : common_outputs(component.component_class)) {
-    component.outputs.push_back(shape_of(port, component, false));
-  }
-  for (const PortDescriptor& port : component.descriptor->ports) {
-    if (port.role == PortRole::Appraisal && component.component_class == ComponentClass::Acting) {
-      component.outputs.push_back(shape_of(port, component, false));
-    }
-  }
+/// Its signals and the robot's command would go by one name, and that command could not be wired.
+void Resolver::check_name(const ComponentModel& component) {
+  if (robot_.command(component.id) == nullptr) return;
+  problem(component, component.place, "the robot has a command of this name; choose another id");
 }
 
 void Resolver::resolve_wire(ComponentModel& component, Wire& wire) {
@@ -152,7 +117,7 @@ void Resolver::resolve_source(const ComponentModel& component, const PortDescrip
     resolve_data(component, port, source, text);
     return;
   }
-  const int found = model_.find(text);
+  const int found = find(ids_, text);
   if (found < 0 && misread(text)) return;
   const ComponentModel* from = found < 0 ? nullptr : &model_.components[static_cast<std::size_t>(found)];
   const bool commands = from != nullptr && makes_commands(*from);
@@ -174,7 +139,7 @@ void Resolver::resolve_source(const ComponentModel& component, const PortDescrip
 void Resolver::resolve_data(const ComponentModel& component, const PortDescriptor& port, Source& source,
                             const std::string& text) {
   const std::vector<std::string> parts = split(text, '.');
-  const int found = model_.find(parts[0]);
+  const int found = find(ids_, parts[0]);
   if (parts.size() > 1 && robot_.sensation(text) != nullptr && (found < 0 || !has_part(found, parts[1]))) {
     problem(component, source.place, "\"{}\" is a channel of the robot; {}", text, hints_.for_channel(text));
     return;
@@ -192,8 +157,20 @@ void Resolver::resolve_data(const ComponentModel& component, const PortDescripto
     problem(component, source.place, "\"{}\" is no sensation or module{}", parts[0], hints_.for_unknown(port, text));
   }
   if (source.kind == Source::Kind::Unresolved) return;
+  if (port.role == PortRole::Appraisal && !is_appraisal(source)) {
+    problem(component, source.place, "input \"{}\" takes what an acting module expects; \"{}\" is no appraisal",
+            port.name, source.text);
+    return;
+  }
   check_shape(component, port, source);
   check_order(component, port, source);
+}
+
+bool Resolver::is_appraisal(const Source& source) const {
+  if (source.kind != Source::Kind::Output) return false;
+  const ComponentModel& from = model_.components[static_cast<std::size_t>(source.component)];
+  const PortDescriptor* port = from.descriptor->port(from.outputs[static_cast<std::size_t>(source.port)].name);
+  return port != nullptr && port->role == PortRole::Appraisal;
 }
 
 /// Whether "component.name" means something.

@@ -42,6 +42,8 @@ class ActingModule : public Component {
   void cycle(const Tick& tick) noexcept;
 
   const Command& command() const noexcept { return command_; }
+  /// What settle() found the last command to have cost; none = unknown, not carried out, or still under way below.
+  const std::optional<double>& last_cost() const noexcept { return last_cost_; }
   /// Told by a coordinator whether the command of this tick was carried out.
   void grant(bool granted) noexcept { granted_ = granted; }
   /// The sequence of commands planned, the first of which was sent; for onlookers.

@@ -11,7 +11,7 @@
 namespace ganglion::testing {
 
 KindList kinds() noexcept {
-  static constexpr std::array kSensing = {&gain_kind, &copy_kind, &surprise_kind, &noise_kind};
+  static constexpr std::array kSensing = {&gain_kind, &copy_kind, &surprise_kind, &sum_kind, &age_of_kind, &noise_kind};
   static constexpr std::array kGoal = {&wish_kind};
   static constexpr std::array kActing = {&seeker_kind, &turner_kind, &walker_kind, &puppet_kind};
   static constexpr std::array kCoordinator = {&first_kind};

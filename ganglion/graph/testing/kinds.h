@@ -9,6 +9,8 @@ namespace ganglion::testing {
 /// Sensing      Gain      out = gain * in.
 ///              Copy      out = in, of any size and unit.
 ///              Surprise  error = in - expected, heard = expected (an appraisal).
+///              Sum       out = sum of the wires of in.
+///              AgeOf     out = age of its input.
 ///              Noise     out = one uniform draw a tick.
 /// Goal         Wish      asks for `values`, or for what is wired to `wish`, while `wanted` (if wired) is above 0.
 ///                        Outputs count what became of its requests.

@@ -57,6 +57,36 @@ class Surprise final : public SensingModule {
   }
 };
 
+constexpr std::array kSumPorts = {
+    PortDescriptor{.name = "in", .role = PortRole::Feedback, .unit = "*", .many = true},
+    PortDescriptor{.name = "out", .role = PortRole::Output},
+};
+
+class Sum final : public SensingModule {
+ public:
+  static Result<std::unique_ptr<SensingModule>> make(const Parameters&) { return std::make_unique<Sum>(); }
+
+ private:
+  void perceive(const Feedback& feedback) noexcept override {
+    double sum = 0;
+    for (const double value : feedback[0].values) sum += value;
+    put(0, sum);
+  }
+};
+
+constexpr std::array kAgePorts = {
+    PortDescriptor{.name = "in", .role = PortRole::Feedback, .unit = "*"},
+    PortDescriptor{.name = "out", .role = PortRole::Output, .unit = "s"},
+};
+
+class AgeOf final : public SensingModule {
+ public:
+  static Result<std::unique_ptr<SensingModule>> make(const Parameters&) { return std::make_unique<AgeOf>(); }
+
+ private:
+  void perceive(const Feedback& feedback) noexcept override { put(0, feedback[0].ages_s[0]); }
+};
+
 constexpr std::array kNoisePorts = {PortDescriptor{.name = "out", .role = PortRole::Output}};
 
 class Noise final : public SensingModule {
@@ -78,6 +108,8 @@ constexpr Descriptor described(std::string_view name, const std::array<PortDescr
 constinit const SensingModuleKind gain_kind{described("Gain", kGainPorts, kGainParameters), Gain::make};
 constinit const SensingModuleKind copy_kind{described("Copy", kCopyPorts), Copy::make};
 constinit const SensingModuleKind surprise_kind{described("Surprise", kSurprisePorts), Surprise::make};
+constinit const SensingModuleKind sum_kind{described("Sum", kSumPorts), Sum::make};
+constinit const SensingModuleKind age_of_kind{described("AgeOf", kAgePorts), AgeOf::make};
 constinit const SensingModuleKind noise_kind{described("Noise", kNoisePorts), Noise::make};
 
 }  // namespace ganglion::testing

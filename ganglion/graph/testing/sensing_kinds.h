@@ -4,6 +4,6 @@
 
 namespace ganglion::testing {
 
-extern const SensingModuleKind gain_kind, copy_kind, surprise_kind, noise_kind;
+extern const SensingModuleKind gain_kind, copy_kind, surprise_kind, sum_kind, age_of_kind, noise_kind;
 
 }  // namespace ganglion::testing
