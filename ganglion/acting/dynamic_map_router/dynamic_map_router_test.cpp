@@ -11,7 +11,7 @@ namespace {
 
 using grid::Label;
 using grid::Nature;
-using testing::ActingBench;
+using testing::RequestBench;
 using testing::Drive;
 using testing::GridBot;
 
@@ -141,7 +141,7 @@ TEST(DynamicMapRouter, MapsAlsoWithARobotThatReportsNoCost) {
   GridBot bot({"#######", "#..#..#", "#.....#", "#######"});
   bot.column = 1, bot.row = 2;
   auto module = DynamicMapRouter::make(Drive::small()).value();
-  ActingBench bench(*module, dynamic_map_router_kind.descriptor, {"cell", "heading"});
+  RequestBench bench(*module, dynamic_map_router_kind.descriptor, {"cell", "heading"});
   bench.ask({3, 2});
   for (int i = 0; i < 10; ++i) {
     bench.ports().set("cell", {static_cast<double>(bot.column), static_cast<double>(bot.row)});
@@ -216,7 +216,7 @@ TEST(DynamicMapRouter, StaysInsideAFullMap) {
 }
 
 /// A frame in which cell and heading are as given.
-const Command& frame(ActingBench& bench, double column, double row, double heading_rad) {
+const Command& frame(RequestBench& bench, double column, double row, double heading_rad) {
   bench.ports().set("cell", {column, row});
   bench.ports().set("heading", {heading_rad});
   return bench.tick(1.0);
@@ -225,7 +225,7 @@ const Command& frame(ActingBench& bench, double column, double row, double headi
 TEST(DynamicMapRouter, HoldsWhileTheCellIsUnknownAndGivesUpAfterItsPatience) {
   for (const double lost : {kNan, kInf, -kInf}) {
     auto module = DynamicMapRouter::make(Drive::small()).value();
-    ActingBench bench(*module, dynamic_map_router_kind.descriptor, {"cell", "heading"}, 1.0);
+    RequestBench bench(*module, dynamic_map_router_kind.descriptor, {"cell", "heading"}, 1.0);
     bench.ask({8, 5});
     EXPECT_EQ(frame(bench, 5, 5, 0).kind, CommandKind::Act);
     for (int i = 0; i < 5; ++i) EXPECT_EQ(frame(bench, lost, 5, 0).kind, CommandKind::Inactive) << i;
@@ -238,7 +238,7 @@ TEST(DynamicMapRouter, HoldsWhileTheCellIsUnknownAndGivesUpAfterItsPatience) {
 
 TEST(DynamicMapRouter, JudgesAStepOnceReadingsReturn) {
   auto module = DynamicMapRouter::make(Drive::small()).value();
-  ActingBench bench(*module, dynamic_map_router_kind.descriptor, {"cell", "heading"});
+  RequestBench bench(*module, dynamic_map_router_kind.descriptor, {"cell", "heading"});
   bench.ask({8, 5});
   frame(bench, 5, 5, 0);
   frame(bench, kNan, kNan, kNan);
