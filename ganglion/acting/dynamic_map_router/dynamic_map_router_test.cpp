@@ -355,7 +355,7 @@ TEST(DynamicMapRouter, ShowsItsMapAndRouteInMetres) {
   EXPECT_EQ(shown.names, (std::vector<std::string>{"label", "risk", "static", "inhibited"}));
   EXPECT_EQ(shown.sizes, (std::vector<std::size_t>(4, 64 * 64)));
   EXPECT_EQ(shown.origin, (Vector2{0, 0}));
-  EXPECT_EQ(shown.label[5 * 64 + 5], 0);
+  EXPECT_EQ(shown.label[5 * 64 + 5], 0.5F);  // explored and empty
   EXPECT_EQ(shown.label[5 * 64 + 6], 1);
   ASSERT_GE(shown.route.size(), 2u);
   EXPECT_EQ(shown.route.front(), (Vector2{2.75, 2.75}));
