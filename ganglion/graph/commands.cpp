@@ -40,12 +40,15 @@ bool commands_or_requests(const ComponentModel& component, const Wire& wire) noe
 /// Where the commands go that do not go to the robot directly.
 struct Takers {
   std::vector<std::string> of;  ///< For each component the one that takes its command or bids; "" = none.
+  std::vector<int> by;          ///< Its index; -1 = none.
   bool complete = true;         ///< Every wire for commands was understood.
 };
 
 Takers find_takers(const ControllerModel& model, Problems& problems) {
-  Takers takers{std::vector<std::string>(model.components.size()), model.misread.empty()};
-  for (const ComponentModel& component : model.components) {
+  const std::size_t count = model.components.size();
+  Takers takers{std::vector<std::string>(count), std::vector<int>(count, -1), model.misread.empty()};
+  for (std::size_t i = 0; i < count; ++i) {
+    const ComponentModel& component = model.components[i];
     for (const Wire& wire : component.wires) {
       for (const Source& source : wire.sources) {
         const bool understood = source.kind != Source::Kind::Unresolved;
@@ -59,10 +62,54 @@ Takers find_takers(const ControllerModel& model, Problems& problems) {
                            : fmt::format("the command of \"{}\" already goes to \"{}\"", source.text, already));
         }
         already = component.id;
+        takers.by[static_cast<std::size_t>(source.component)] = static_cast<int>(i);
       }
     }
   }
   return takers;
+}
+
+/// Values that a component's port of that role has; 0 = as many as there are, or there is no such port.
+int width_of(const ComponentModel& component, PortRole role) noexcept {
+  for (const PortDescriptor& port : component.descriptor->ports) {
+    if (port.role == role) return port.elements.empty() ? port.size : static_cast<int>(port.elements.size());
+  }
+  return 0;
+}
+
+/// What a command ends in behind coordinators that take any number of values.
+struct End {
+  std::string text;
+  int width = 0;
+};
+
+End end_of(const ControllerModel& model, const RobotDescription& robot, const Takers& takers, std::size_t start) {
+  std::size_t at = start;
+  for (std::size_t hops = 0; takers.by[at] >= 0 && hops < model.components.size(); ++hops) {
+    at = static_cast<std::size_t>(takers.by[at]);
+    const ComponentModel& taker = model.components[at];
+    if (taker.component_class == ComponentClass::Acting) {
+      return {fmt::format("requests to \"{}\" have", taker.id), width_of(taker, PortRole::Request)};
+    }
+    if (const int width = width_of(taker, PortRole::Command)) return {fmt::format("\"{}\" has", taker.id), width};
+  }
+  const ComponentModel& last = model.components[at];
+  if (at == start || last.command_index < 0) return {};  // what drives the robot directly was checked by element
+  const CommandChannel& channel = robot.commands[static_cast<std::size_t>(last.command_index)];
+  return {fmt::format("\"{}\" takes", channel.name), static_cast<int>(channel.elements.size())};
+}
+
+void check_widths(const ControllerModel& model, const RobotDescription& robot, const Takers& takers,
+                  Problems& problems) {
+  for (std::size_t i = 0; i < model.components.size(); ++i) {
+    const ComponentModel& component = model.components[i];
+    const int width = makes_commands(component) ? width_of(component, PortRole::Command) : 0;
+    if (width == 0) continue;
+    const End end = end_of(model, robot, takers, i);
+    if (end.width == 0 || end.width == width) continue;
+    report_wire(problems, component, component.place,
+                fmt::format("commands {} value{}, but {} {}", width, width == 1 ? "" : "s", end.text, end.width));
+  }
 }
 
 }  // namespace
@@ -94,6 +141,7 @@ void bind_commands(ControllerModel& model, const RobotDescription& robot, Proble
 
 void check_commands(const ControllerModel& model, const RobotDescription& robot, Problems& problems) {
   const Takers takers = find_takers(model, problems);
+  check_widths(model, robot, takers, problems);
   std::map<int, const ComponentModel*> writers;  // of each robot command
   for (std::size_t i = 0; i < model.components.size(); ++i) {
     const ComponentModel& component = model.components[i];

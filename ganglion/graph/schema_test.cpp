@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "ganglion/graph/testing/example_kinds.h"
 #include "ganglion/graph/model.h"
+#include "ganglion/graph/testing/example_kinds.h"
 
 namespace ganglion {
 namespace {
