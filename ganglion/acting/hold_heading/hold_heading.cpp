@@ -95,6 +95,36 @@ constexpr std::array kParameters = {
                         .help = {"Holds the heading it was left with for so long; listing: 15 cycles",
                                  "Mantiene este tiempo el rumbo en que quedó; listing: 15 ciclos"},
                         .ours = true},
+    ParameterDescriptor{.name = "settle_s",
+                        .unit = "s",
+                        .preset = 1.5,
+                        .min = 0,
+                        .max = 60,
+                        .help = {"For so long the held course follows the heading: the lag of the compass",
+                                 "Durante este tiempo el rumbo mantenido sigue a la brújula: su retraso"},
+                        .ours = true},
+    ParameterDescriptor{.name = "hold_growth",
+                        .preset = 2.0,
+                        .min = 0,
+                        .max = 100,
+                        .help = {"Holds so many seconds for each one of being displaced, if that is more than hold_s",
+                                 "Mantiene tantos segundos por cada uno de desplazamiento, si supera hold_s"},
+                        .ours = true},
+    ParameterDescriptor{.name = "max_hold_s",
+                        .unit = "s",
+                        .preset = 48,
+                        .min = 0,
+                        .max = 3600,
+                        .help = {"Longest time of holding", "Tiempo máximo de mantener"},
+                        .ours = true},
+    ParameterDescriptor{.name = "calm_s",
+                        .unit = "s",
+                        .preset = 5.0,
+                        .min = 0,
+                        .max = 3600,
+                        .help = {"After so long on course the time of being displaced is forgotten",
+                                 "Tras este tiempo en rumbo se olvida el tiempo de desplazamiento"},
+                        .ours = true},
     ParameterDescriptor{.name = "agreement_deg",
                         .unit = "deg",
                         .preset = 5,
@@ -148,6 +178,10 @@ Result<HoldHeadingConfig> HoldHeadingConfig::from(const Parameters& parameters) 
   config.forward_duty = parameters.real("forward_duty");
   config.fade_deg = parameters.real("fade_deg");
   config.hold_s = parameters.real("hold_s");
+  config.settle_s = parameters.real("settle_s");
+  config.hold_growth = parameters.real("hold_growth");
+  config.max_hold_s = parameters.real("max_hold_s");
+  config.calm_s = parameters.real("calm_s");
   config.agreement_deg = parameters.real("agreement_deg");
   config.patience_s = parameters.real("patience_s");
   config.slow_range_m = parameters.real("slow_range_m");
@@ -187,11 +221,8 @@ Command HoldHeading::recommended(const Feedback& feedback) noexcept {
   if (!std::isfinite(heading_rad)) return without_heading(feedback, share);
   heading_s_ = now_s;
   find_course(feedback, heading_rad);
-  if (pending_) {
-    held_rad_ = heading_rad;
-    held_until_s_ = now_s + config_.hold_s;
-    pending_ = false;
-  }
+  if (pending_) hold(heading_rad, feedback.tick);
+  if (now_s < settled_s_) held_rad_ = heading_rad;
   const bool held = now_s < held_until_s_ - kInstant_s;
   const double target_rad = held ? held_rad_ : course_rad_;
   const double error_rad = wrap_rad(target_rad - heading_rad);
@@ -199,6 +230,16 @@ Command HoldHeading::recommended(const Feedback& feedback) noexcept {
   publish(target_rad, error_rad, held, share == 0);
   last_ = stands ? subsumption::tracks(0, 0) : steer(error_rad, share);
   return last_;
+}
+
+void HoldHeading::hold(double heading_rad, const Tick& tick) noexcept {
+  if (tick.time_s > held_until_s_ + config_.calm_s) struggle_s_ = 0;
+  struggle_s_ += tick.step_s;
+  const double longest_s = std::max(config_.hold_s, config_.max_hold_s);
+  held_rad_ = heading_rad;
+  held_until_s_ = tick.time_s + std::clamp(config_.hold_growth * struggle_s_, config_.hold_s, longest_s);
+  settled_s_ = tick.time_s + config_.settle_s;
+  pending_ = false;
 }
 
 Command HoldHeading::without_heading(const Feedback& feedback, double share) const noexcept {
