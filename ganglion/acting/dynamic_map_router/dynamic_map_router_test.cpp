@@ -11,9 +11,9 @@ namespace {
 
 using grid::Label;
 using grid::Nature;
-using testing::RequestBench;
 using testing::Drive;
 using testing::GridBot;
+using testing::RequestBench;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
@@ -159,7 +159,7 @@ TEST(DynamicMapRouter, WithdrawsFromASealedGoalAfterThreeRounds) {
   EXPECT_EQ(drive.reason(), ReasonCode::Unreachable);
   EXPECT_EQ(drive.bench().request().reason.first, drive.output("failures"));
   EXPECT_EQ(drive.bench().request().reason.second, 3);
-  EXPECT_EQ(drive.tick().kind, CommandKind::Inactive);  // waits for help
+  EXPECT_EQ(drive.tick().kind, CommandKind::Withdraw);  // waits for help
   EXPECT_EQ(drive.output("phase"), 0);
   ASSERT_EQ(drive.go(3, 1), RequestStatus::Satisfied);  // a new request wakes it
 }
@@ -269,6 +269,43 @@ TEST(DynamicMapRouter, LearnsNothingFromAStepThatAnotherModuleOverruled) {
   EXPECT_EQ(drive.module().map().occupied(), 0);
 }
 
+/// The module above a slot that a test answers.
+class Above {
+ public:
+  Above() : module(DynamicMapRouter::make(Drive::small()).value()), bench(*module, dynamic_map_router_kind.descriptor) {
+    bench.join_below(below);
+    bench.ports().set("cell", {5, 5});
+    bench.ports().set("heading", {0});
+    bench.ask({8, 5});
+    bench.tick(std::nullopt);
+  }
+  std::unique_ptr<DynamicMapRouter> module;
+  RequestSlot below;
+  RequestBench bench;
+};
+
+TEST(DynamicMapRouter, MarksTheCellWhenTheModuleBelowCannotDriveThere) {
+  Above above;
+  EXPECT_EQ(above.below.values[0], 1);
+  above.below.withdraw({ReasonCode::AttemptsExhausted, 6, 3});
+  above.bench.tick(1);
+  EXPECT_EQ(above.module->map().find({6, 5})->label, Label::Occupied);
+  EXPECT_EQ(above.below.status, RequestStatus::Pending);  // another step is under way
+}
+
+TEST(DynamicMapRouter, BlamesNoCellWhenTheModuleBelowIsBlindOrPreempted) {
+  Above blind;
+  blind.below.withdraw({ReasonCode::NoReading, 2, 5});
+  blind.bench.tick(1);
+  EXPECT_EQ(blind.module->map().occupied(), 0);
+  EXPECT_EQ(blind.bench.request().reason.code, ReasonCode::NoReading);
+  Above preempted;
+  preempted.below.withdraw({ReasonCode::Preempted, 0, 1});
+  preempted.bench.tick(1);
+  EXPECT_EQ(preempted.module->map().occupied(), 0);
+  EXPECT_EQ(preempted.bench.request().status, RequestStatus::Pending);
+}
+
 TEST(DynamicMapRouter, ExpectsTheCellOfItsStep) {
   GridBot bot = open_ground();
   Drive drive(bot);
@@ -281,7 +318,7 @@ TEST(DynamicMapRouter, ExpectsTheCellOfItsStep) {
 TEST(DynamicMapRouter, AllocatesNothingInATick) {
   GridBot bot({"....#.....", "....#.....", "....#.....", "..........", "....#.....", "....#....."});
   Drive drive(bot);
-  for (int i = 0; i < 2; ++i) drive.tick();  // the first cost tells it where it is; the tiles are taken after that tick
+  ASSERT_EQ(drive.go(0, 1), RequestStatus::Satisfied);  // tiles are taken between ticks
   const std::uint64_t before = testing::allocations();
   drive.bench().ask({9, 5});
   for (int i = 0; i < 200 && drive.bench().request().status == RequestStatus::Pending; ++i) drive.tick();
