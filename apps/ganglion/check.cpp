@@ -7,7 +7,8 @@ namespace ganglion {
 
 void add_check(CLI::App& program, int& code) {
   auto files = std::make_shared<std::vector<std::string>>();
-  CLI::App* command = program.add_subcommand("check", "Find every mistake in experiment, controller, robot, world files");
+  CLI::App* command =
+      program.add_subcommand("check", "Find every mistake in experiment, controller, robot, world files");
   command->add_option("files", *files, "TOML or map files; a folder stands for its experiment.toml")->required();
   command->footer("Example:\n  ganglion check experiments/nimrod experiments/nimrod/controller.listing.toml");
   command->callback([files, &code] {

@@ -6,10 +6,10 @@ namespace ganglion {
 
 /// Exit codes, the same for every subcommand.
 enum ExitCode : int {
-  kDone = 0,         ///< Done; of a single run: the robot succeeded.
-  kRobotFailed = 1,  ///< The run was carried out, the criterion of success was not met; or a replay differed.
-  kBadInput = 2,     ///< A file or an option is wrong; what and where is on standard error.
-  kOutputFailed = 4, ///< Something could not be written.
+  kDone = 0,          ///< Done; of a single run: the robot succeeded.
+  kRobotFailed = 1,   ///< The run was carried out, the criterion of success was not met; or a replay differed.
+  kBadInput = 2,      ///< A file or an option is wrong; what and where is on standard error.
+  kOutputFailed = 4,  ///< Something could not be written.
 };
 
 /// Each adds its subcommand to the program; the callback leaves its exit code in `code`.

@@ -1,8 +1,8 @@
+#include "ganglion/kinds/kinds.h"
 #include "commands.h"
 #include "ganglion/base/text.h"
 #include "ganglion/descriptor/kind_page.h"
 #include "ganglion/descriptor/kinds_json.h"
-#include "ganglion/kinds/kinds.h"
 #include "say.h"
 
 namespace ganglion {
@@ -44,7 +44,8 @@ void add_kinds(CLI::App& program, int& code) {
       std::vector<std::string> names;
       for (const Descriptor* kind : all_descriptors()) names.emplace_back(kind->name);
       code = complain(Error{ErrorCode::UnknownKey,
-                            fmt::format("\"{}\" is no kind{}", arguments->kind, suggestion(arguments->kind, names)), {}});
+                            fmt::format("\"{}\" is no kind{}", arguments->kind, suggestion(arguments->kind, names)),
+                            {}});
     } else if (arguments->json) {
       fmt::print("{}", kinds_json(found));
     } else if (arguments->kind.empty()) {

@@ -3,8 +3,8 @@
 
 #include "commands.h"
 #include "ganglion/base/text.h"
-#include "ganglion/experience/writer.h"
 #include "ganglion/experience/store.h"
+#include "ganglion/experience/writer.h"
 #include "ganglion/plot/from_run_file.h"
 #include "ganglion/record/catalogue.h"
 #include "ganglion/record/run_file.h"
@@ -77,7 +77,8 @@ fs::path output_folder(const RunArguments& arguments) {
   if (!arguments.out.empty()) return arguments.out;
   fs::path named = fs::path(arguments.experiment).lexically_normal();
   if (!named.has_filename()) named = named.parent_path();
-  return fs::path("runs") / (named.stem() == "experiment" ? fs::absolute(named).parent_path().filename() : named.stem());
+  return fs::path("runs") /
+         (named.stem() == "experiment" ? fs::absolute(named).parent_path().filename() : named.stem());
 }
 
 fs::path run_file(const fs::path& folder, std::uint64_t seed) { return folder / fmt::format("seed_{:04}.mcap", seed); }
@@ -91,8 +92,8 @@ Result<std::vector<ModuleExperience>> load_experience(const std::string& file) {
   return from_parts(*parts);
 }
 
-/// Lists the recorded runs, so that `ganglion runs` finds them. A catalogue that cannot be written is no loss: it is rebuilt
-/// from the files.
+/// Lists the recorded runs, so that `ganglion runs` finds them. A catalogue that cannot be written is no loss: it is
+/// rebuilt from the files.
 void catalogue(const fs::path& folder, const std::vector<RunResult>& results, const Prepared& prepared) {
   auto runs = RunCatalogue::open(folder);
   if (!runs) {
@@ -153,7 +154,9 @@ void report(const RunArguments& arguments, RunResult& result) {
   fs::path page = result.files.front();
   page.replace_extension(".html");
   const plot::RunView view = plot::from_run_file(*file);
-  if (auto written = report::write_report(view, page, {arguments.language == "es" ? plot::Language::Spanish : plot::Language::English}); !written) {
+  if (auto written = report::write_report(
+          view, page, {arguments.language == "es" ? plot::Language::Spanish : plot::Language::English});
+      !written) {
     complain(written.error());
     return;
   }

@@ -23,7 +23,8 @@ struct Arguments {
 /// The runs of a folder, read anew from the files: the catalogue is only an index.
 Result<std::vector<RunSummary>> runs_of(const Arguments& arguments) {
   if (!fs::is_directory(arguments.folder)) {
-    return fail_at({arguments.folder}, ErrorCode::NotFound, "there is no such folder; runs are written by ganglion run");
+    return fail_at({arguments.folder}, ErrorCode::NotFound,
+                   "there is no such folder; runs are written by ganglion run");
   }
   auto catalogue = RunCatalogue::open(arguments.folder);
   if (!catalogue) return tl::unexpected<Error>(catalogue.error());
@@ -44,7 +45,10 @@ int list(const Arguments& arguments) {
   fmt::print("{:<36}{:<26}{:>6}  {:<9}{:<18}{}\n", "file", "experiment", "seed", "outcome", "digest", "reason");
   for (const RunSummary& run : *runs) {
     fmt::print("{:<36}{:<26}{:>6}  {:<9}{:<18}{}\n", run.file, run.name, run.seed,
-               !run.finished ? "cut" : run.success ? "success" : "failed", run.digest, run.reason);
+               !run.finished ? "cut"
+               : run.success ? "success"
+                             : "failed",
+               run.digest, run.reason);
   }
   return kDone;
 }
@@ -53,7 +57,8 @@ int csv(const Arguments& arguments) {
   const auto runs = runs_of(arguments);
   if (!runs) return complain(runs.error());
   const std::string text = to_csv(*runs);
-  if (arguments.out.empty()) return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() ? kDone : kOutputFailed;
+  if (arguments.out.empty())
+    return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() ? kDone : kOutputFailed;
   if (const auto written = write_file(arguments.out, text); !written) {
     complain(written.error());
     return kOutputFailed;
@@ -77,7 +82,8 @@ int show(const Arguments& arguments) {
     fmt::print("{}: {} ticks of {} signals\n", table.topic, table.rows(), table.columns.size());
   }
   for (const auto& [topic, messages] : run->json) fmt::print("{}: {} messages\n", topic, messages.messages.size());
-  for (const auto& attachment : run->attachments) fmt::print("holds {} ({} bytes)\n", attachment.name, attachment.bytes.size());
+  for (const auto& attachment : run->attachments)
+    fmt::print("holds {} ({} bytes)\n", attachment.name, attachment.bytes.size());
   return kDone;
 }
 

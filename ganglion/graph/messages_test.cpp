@@ -101,6 +101,8 @@ TEST(Messages, OfWires) {
       {"channel nobody reads", kLeft, "in.left = \"compass.heading\"",
        "c.toml:30:11: back_off: \"compass.heading\" is a channel of the robot; add a [[sensation]] with channel = "
        "\"compass.heading\" and wire its id"},
+      {"empty channel", "\"sonar_left.range\"", "\"\"",
+       "c.toml:7:11: sonar_left: channel is empty; name a channel of the robot"},
       {"misspelt channel", "\"sonar_left.range\"", "\"sonar_left.rang\"",
        "c.toml:7:11: sonar_left: the robot has no channel \"sonar_left.rang\"; did you mean \"sonar_left.range\"?"},
       {"misspelt port", "in.left", "in.lft",

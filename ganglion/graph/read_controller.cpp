@@ -173,6 +173,10 @@ void read_component(Table& table, ComponentClass component_class, const KindList
   if (component_class == ComponentClass::Sensation) {
     component.channel = table.text("channel");
     component.channel_place = table.place("channel");
+    const config::Value* channel = table.value("channel");
+    if (channel != nullptr && channel->string() != nullptr && component.channel.empty()) {
+      table.problem("channel", ErrorCode::BadParameter, "channel is empty; name a channel of the robot");
+    }
     model.components.push_back(std::move(component));
     return;
   }

@@ -10,7 +10,7 @@ namespace ganglion {
 
 /// One layer of a map to look at, row by row from the lowest y, each value in [0, 1] or NaN where nothing is known.
 struct GridLayer {
-  std::string_view name;  ///< "risk", "inhibited", "label"
+  std::string_view name;  ///< "label" (0.5 empty, 1 occupied), "risk", "static", "inhibited"
   std::span<const float> values;
 };
 

@@ -1,6 +1,7 @@
 #include "ganglion/plot/from_run_file.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 
@@ -189,7 +190,8 @@ TEST(Base64, ReadsTheVectorsOfRfc4648) {
 }
 
 TEST(DrawAll, WritesEveryPictureInThreeFormatsFromARecordedRun) {
-  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "ganglion_draw_all";
+  const std::filesystem::path folder =
+      std::filesystem::path(testing::TempDir()) / fmt::format("ganglion_draw_all_{}", getpid());
   const std::filesystem::path path = folder / "run.mcap";
   std::filesystem::create_directories(folder);
   const RunFile sample = sample_file();
@@ -209,6 +211,7 @@ TEST(DrawAll, WritesEveryPictureInThreeFormatsFromARecordedRun) {
   ASSERT_TRUE(files) << files.error().message;
   EXPECT_EQ(files->size(), 4u * 3u);  // trajectory, map, behaviours, signals
   for (const auto& picture : *files) EXPECT_GT(std::filesystem::file_size(picture), 500u) << picture;
+  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

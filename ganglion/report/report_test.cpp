@@ -13,6 +13,9 @@
 #include "ganglion/report/player_data.h"
 #include "ganglion/report/words.h"
 
+/// Fontconfig keeps what it found until the process ends; that is no leak of ours.
+extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig\n"; }  // NOLINT: the name is LSan's
+
 namespace ganglion::report {
 namespace {
 

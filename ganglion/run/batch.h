@@ -10,7 +10,7 @@ namespace ganglion {
 struct BatchOptions {
   std::uint64_t first_seed = 1;
   std::uint64_t last_seed = 1;
-  int threads = 0;  ///< 0 = one for each processor.
+  int threads = 0;                           ///< 0 = one for each processor.
   std::vector<ModuleExperience> experience;  ///< Every run starts with a copy of its own, dropped at its end.
   std::function<std::filesystem::path(std::uint64_t seed)> run_file;  ///< Empty: nothing is recorded.
   std::function<bool(std::size_t done, std::size_t all)> progress;    ///< From any thread, one at a time; false = stop.
@@ -20,7 +20,8 @@ struct BatchOptions {
 /// carried out stops the batch with its error.
 Result<std::vector<RunResult>> run_batch(const Prepared& prepared, const BatchOptions& options);
 
-/// Lower quartile, median and upper quartile of one measure over a batch, NaN left out (linear interpolation, as R's type 7).
+/// Lower quartile, median and upper quartile of one measure over a batch, NaN left out (linear interpolation, as R's
+/// type 7).
 struct Quartiles {
   std::string name;
   double lower = 0;

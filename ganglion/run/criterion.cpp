@@ -23,11 +23,16 @@ double measure(const Measures& measures, std::string_view name) noexcept {
 bool Criterion::met(const Measures& measures) const noexcept {
   const double value = measure(measures, name);
   switch (relation) {
-    case Relation::Less: return value < bound;
-    case Relation::AtMost: return value <= bound;
-    case Relation::Equal: return value == bound;
-    case Relation::AtLeast: return value >= bound;
-    case Relation::Greater: return value > bound;
+    case Relation::Less:
+      return value < bound;
+    case Relation::AtMost:
+      return value <= bound;
+    case Relation::Equal:
+      return value == bound;
+    case Relation::AtLeast:
+      return value >= bound;
+    case Relation::Greater:
+      return value > bound;
   }
   return false;
 }
@@ -41,10 +46,12 @@ Result<Criterion> parse_criterion(std::string_view text) {
   for (const std::string& word : split(text, ' ')) {
     if (!trimmed(word).empty()) words.emplace_back(trimmed(word));
   }
-  const auto relation = words.size() == 3 ? std::find(kRelations.begin(), kRelations.end(), words[1]) : kRelations.end();
+  const auto relation =
+      words.size() == 3 ? std::find(kRelations.begin(), kRelations.end(), words[1]) : kRelations.end();
   const auto bound = words.size() == 3 ? parse_number(words[2]) : std::nullopt;
   if (relation == kRelations.end() || !bound) {
-    return fail(ErrorCode::Syntax, "\"{}\": write a measure, <, <=, ==, >= or >, and a number, as in \"contacts <= 3\"", text);
+    return fail(ErrorCode::Syntax, "\"{}\": write a measure, <, <=, ==, >= or >, and a number, as in \"contacts <= 3\"",
+                text);
   }
   return Criterion{words[0], static_cast<Criterion::Relation>(relation - kRelations.begin()), *bound};
 }

@@ -8,7 +8,8 @@ namespace ganglion {
 namespace {
 
 TEST(SmallestCircle, OfATriangleAndOfALine) {
-  const Circle right = smallest_circle({{0, 0}, {3, 0}, {0, 4}, {1, 1}});  // a right angle: the hypotenuse is a diameter
+  const Circle right =
+      smallest_circle({{0, 0}, {3, 0}, {0, 4}, {1, 1}});  // a right angle: the hypotenuse is a diameter
   EXPECT_NEAR(right.radius_m, 2.5, 1e-12);
   EXPECT_NEAR(right.centre.x, 1.5, 1e-12);
   const Circle equilateral = smallest_circle({{0, 0}, {1, 0}, {0.5, std::sqrt(0.75)}});

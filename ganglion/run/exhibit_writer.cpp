@@ -37,11 +37,7 @@ std::string base64(std::span<const std::uint8_t> bytes) {
 
 ExhibitWriter::ExhibitWriter(RunRecorder& recorder, std::map<std::string, std::uint64_t>& shown, std::string robot,
                              std::string component, double time_s)
-    : recorder_(recorder),
-      shown_(shown),
-      robot_(std::move(robot)),
-      component_(std::move(component)),
-      time_s_(time_s) {}
+    : recorder_(recorder), shown_(shown), robot_(std::move(robot)), component_(std::move(component)), time_s_(time_s) {}
 
 bool ExhibitWriter::changed(const std::string& topic, std::uint64_t hash) {
   const auto [found, fresh] = shown_.try_emplace(topic, hash);
@@ -74,7 +70,8 @@ void ExhibitWriter::grid(const GridExhibit& grid) {
 
 void ExhibitWriter::path(std::string_view name, std::span<const Vector2> points) {
   std::string list;
-  for (const Vector2 point : points) list += fmt::format("{}[{:.4g},{:.4g}]", list.empty() ? "" : ",", point.x, point.y);
+  for (const Vector2 point : points)
+    list += fmt::format("{}[{:.4g},{:.4g}]", list.empty() ? "" : ",", point.x, point.y);
   const std::string topic = fmt::format("/{}/{}/{}", robot_, name, component_);
   if (!changed(topic, hash_name(list))) return;
   recorder_.write_json(topic, "ganglion.Path", time_s_, fmt::format("{{\"points\":[{}]}}", list));

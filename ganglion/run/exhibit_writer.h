@@ -9,8 +9,8 @@
 
 namespace ganglion {
 
-/// Writes what a component shows, when it differs from what it showed last: maps as foxglove.Grid with one byte per layer
-/// and cell, paths as ganglion.Path.
+/// Writes what a component shows, when it differs from what it showed last: maps as foxglove.Grid with one byte per
+/// layer and cell, paths as ganglion.Path.
 class ExhibitWriter final : public Exhibition {
  public:
   /// Topics are "/robot0/map/router" and "/robot0/route/router". `shown` keeps hashes between calls.

@@ -36,18 +36,18 @@ struct Experiment {
   SpawnChoice spawn;
   double duration_s = 60;
   std::uint64_t seed = 1;
-  double maps_every_s = 1;          ///< How often maps are recorded while they change.
-  bool free_ground = false;         ///< Drive the same run on open ground first, to measure progress_ratio against it.
-  std::vector<Criterion> success;   ///< All must be met.
-  std::vector<Criterion> stop;      ///< Any ends the run early.
+  double maps_every_s = 1;         ///< How often maps are recorded while they change.
+  bool free_ground = false;        ///< Drive the same run on open ground first, to measure progress_ratio against it.
+  std::vector<Criterion> success;  ///< All must be met.
+  std::vector<Criterion> stop;     ///< Any ends the run early.
   std::vector<config::Override> controller_overrides, robot_overrides, world_overrides;  ///< For the named files.
   std::vector<config::Override> overrides;  ///< All of them, for the record.
 };
 
-/// Reads an experiment.toml, or the one in a folder, with what --set changes. A path that goes on behind a key that names
-/// a file goes on inside that file: controller.acting.escape.trigger_range_m=0.2. `instead` names files that count in
-/// place of the named ones (for replaying a recorded run). Every problem is reported; the result holds what was
-/// understood.
+/// Reads an experiment.toml, or the one in a folder, with what --set changes. A path that goes on behind a key that
+/// names a file goes on inside that file: controller.acting.escape.trigger_range_m=0.2. `instead` names files that
+/// count in place of the named ones (for replaying a recorded run). Every problem is reported; the result holds what
+/// was understood.
 Experiment read_experiment(const std::filesystem::path& path, const std::vector<config::Override>& overrides,
                            Problems& problems, const ExperimentFiles& instead = {});
 

@@ -11,7 +11,8 @@ namespace {
 std::string hash_of(const std::filesystem::path& file, const std::vector<config::Override>& overrides) {
   std::uint64_t hash = 0;
   if (const auto text = read_file(file)) hash = hash_name(*text);
-  for (const config::Override& override : overrides) hash = combine(hash, hash_name(override.path + "=" + override.value));
+  for (const config::Override& override : overrides)
+    hash = combine(hash, hash_name(override.path + "=" + override.value));
   return hex(hash);
 }
 

@@ -105,7 +105,8 @@ Result<RecordedInputs> unpack_inputs(const RunFile& run, const fs::path& folder)
     if (!attachment.name.starts_with("input/")) continue;
     const fs::path name = attachment.name.substr(6);
     if (!stays_inside(name)) {
-      return fail(ErrorCode::Corrupt, "an input file wants to be written to \"{}\", outside of its folder", name.string());
+      return fail(ErrorCode::Corrupt, "an input file wants to be written to \"{}\", outside of its folder",
+                  name.string());
     }
     if (auto written = write_file(folder / name, attachment.bytes); !written) {
       return tl::unexpected<Error>(written.error());

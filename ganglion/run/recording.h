@@ -9,12 +9,11 @@
 
 namespace ganglion {
 
-/// The run file of one run, with everything needed to repeat it: every input file, what --set changed, and the experience
-/// the run started from. Without a file to write to, all calls do nothing.
+/// The run file of one run, with everything needed to repeat it: every input file, what --set changed, and the
+/// experience the run started from. Without a file to write to, all calls do nothing.
 class Recording {
  public:
-  static Result<Recording> start(const Prepared& prepared, const RunOptions& options,
-                                 const sim::Simulation& simulation,
+  static Result<Recording> start(const Prepared& prepared, const RunOptions& options, const sim::Simulation& simulation,
                                  const std::vector<std::unique_ptr<Controller>>& controllers);
   void write(std::uint32_t tick, double time_s) {
     if (writer_) writer_->write(tick, time_s);

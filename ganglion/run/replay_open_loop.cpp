@@ -74,7 +74,8 @@ class Winner {
   }
   std::string id(const Controller& controller) const {
     const double index = signal_ ? controller.values()[*signal_] : -1;
-    return index >= 0 && index < static_cast<double>(candidates_.size()) ? candidates_[static_cast<std::size_t>(index)] : "";
+    return index >= 0 && index < static_cast<double>(candidates_.size()) ? candidates_[static_cast<std::size_t>(index)]
+                                                                         : "";
   }
 
  private:

@@ -27,9 +27,9 @@ using FreeGround = std::vector<double>;
 ///   progress_m            farthest way along the heading of the start
 ///   far_wall_m            way along it up to the first structural wall
 ///   progress_ratio        until the far wall: progress made / progress that free ground would have given in that time
-///   dwell_s               longest time within some disc of 0.5 m, standing still with `stuck` or `blind` raised excepted
-///   explored_m2           area of the 0.25 m squares the centre has been in
-///   <id>_share            for each candidate of a coordinator the share of ticks it drove
+///   dwell_s               longest time within some disc of 0.5 m, standing still with `stuck` or `blind` raised
+///   excepted explored_m2           area of the 0.25 m squares the centre has been in <id>_share            for each
+///   candidate of a coordinator the share of ticks it drove
 class RobotMeasures {
  public:
   RobotMeasures(const sim::Ground& ground, const sim::Truth& start, double radius_m, const Controller& controller,

@@ -8,8 +8,8 @@
 
 #include "ganglion/base/text.h"
 #include "ganglion/kinds/kinds.h"
-#include "ganglion/run/robot_measures.h"
 #include "ganglion/run/recording.h"
+#include "ganglion/run/robot_measures.h"
 
 namespace ganglion {
 namespace {
@@ -173,7 +173,8 @@ void judge(const Experiment& experiment, RunResult& result) {
   for (const Criterion& criterion : experiment.success) {
     if (criterion.met(result.measures)) continue;
     result.success = false;
-    result.reason += fmt::format("; not met: {} ({})", criterion.text(), shortest(measure(result.measures, criterion.name)));
+    result.reason +=
+        fmt::format("; not met: {} ({})", criterion.text(), shortest(measure(result.measures, criterion.name)));
   }
 }
 
@@ -181,9 +182,8 @@ std::size_t concluded_goals(const Course& course) {
   const sim::TrainerLog* trainer = course.simulation().trainer_log(0);
   if (trainer == nullptr) return 0;
   const auto goals = trainer->records();
-  return static_cast<std::size_t>(std::count_if(goals.begin(), goals.end(), [](const sim::GoalRecord& goal) {
-    return goal.outcome != sim::GoalOutcome::Open;
-  }));
+  return static_cast<std::size_t>(std::count_if(
+      goals.begin(), goals.end(), [](const sim::GoalRecord& goal) { return goal.outcome != sim::GoalOutcome::Open; }));
 }
 
 }  // namespace

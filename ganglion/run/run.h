@@ -11,8 +11,8 @@ namespace ganglion {
 struct RunOptions {
   std::uint64_t seed = 1;
   std::uint32_t episode = 0;
-  double pace = 0;                      ///< Times real time; 0 = as fast as can be.
-  std::filesystem::path run_file;       ///< Empty: nothing is recorded.
+  double pace = 0;                           ///< Times real time; 0 = as fast as can be.
+  std::filesystem::path run_file;            ///< Empty: nothing is recorded.
   std::vector<ModuleExperience> experience;  ///< What every controller starts with.
   /// Called between ticks with the share done in [0, 1]; returns false to end the run early.
   std::function<bool(double)> progress;
@@ -31,8 +31,8 @@ struct RunResult {
   bool success = false;
   std::string reason;  ///< "duration over", and the criteria that were not met.
   std::string digest;
-  Contacts contacts;   ///< Of all robots.
-  Measures measures;   ///< Of robot 0; with several robots the worst of each is not taken: see docs/manual/run.md.
+  Contacts contacts;  ///< Of all robots.
+  Measures measures;  ///< Of robot 0; with several robots the worst of each is not taken: see docs/manual/run.md.
   std::vector<std::string> files;
   std::vector<ModuleExperience> experience;  ///< Of robot 0 at the end.
 };

@@ -14,8 +14,11 @@ using Json = nlohmann::ordered_json;
 constexpr int kInfo = 2, kWarning = 3;  // levels of foxglove.Log
 
 std::vector<SignalColumn> columns_of(const Controller& controller) {
-  std::vector<SignalColumn> columns = {
-      {"truth.x_m", "m"}, {"truth.y_m", "m"}, {"truth.yaw_rad", "rad"}, {"truth.touching", ""}, {"truth.energy_J", "J"}};
+  std::vector<SignalColumn> columns = {{"truth.x_m", "m"},
+                                       {"truth.y_m", "m"},
+                                       {"truth.yaw_rad", "rad"},
+                                       {"truth.touching", ""},
+                                       {"truth.energy_J", "J"}};
   for (const Signal& signal : controller.signals()) columns.push_back({signal.name, signal.unit});
   return columns;
 }
@@ -42,7 +45,8 @@ Json sensor_json(const sim::SensorModel& sensor, const sim::RobotModel& robot, c
   if (sensor.kind->descriptor.parameter("cone_deg") != nullptr) {
     json["cone_rad"] = Angle::from_deg(sensor.parameters.real("cone_deg")).rad();
   }
-  if (const SensationChannel* range = robot.description.sensation(sensor.id + ".range")) json["max_range_m"] = range->max;
+  if (const SensationChannel* range = robot.description.sensation(sensor.id + ".range"))
+    json["max_range_m"] = range->max;
   return json;
 }
 
@@ -184,7 +188,8 @@ void RunWriter::write_goals(int robot, double time_s) {
     const bool fresh = g >= one.goals;
     if (!fresh && one.outcomes[g] == goals[g].outcome) continue;
     one.outcomes[g] = goals[g].outcome;
-    const std::string state = goals[g].outcome == sim::GoalOutcome::Open ? "set" : std::string(name_of(goals[g].outcome));
+    const std::string state =
+        goals[g].outcome == sim::GoalOutcome::Open ? "set" : std::string(name_of(goals[g].outcome));
     const Json json = {{"index", g},
                        {"x_m", (goals[g].goal.column + 0.5) * cell_m_},
                        {"y_m", (goals[g].goal.row + 0.5) * cell_m_},

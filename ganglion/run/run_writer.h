@@ -19,7 +19,8 @@ class RunWriter {
   RunWriter(RunRecorder& recorder, const Experiment& experiment, const ControllerModel& model,
             const sim::RobotModel& robot, const sim::Simulation& simulation,
             const std::vector<std::unique_ptr<Controller>>& controllers);
-  /// The tick just decided: truth as it was sensed, and what the controllers made of it. Allocates only for what changed.
+  /// The tick just decided: truth as it was sensed, and what the controllers made of it. Allocates only for what
+  /// changed.
   void write(std::uint32_t tick, double time_s);
 
  private:

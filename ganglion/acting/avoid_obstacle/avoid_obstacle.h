@@ -19,7 +19,7 @@ struct AvoidObstacleConfig {
   double stop_range_m = 0.12;
   double commit_range_m = 0.25;
   double commit_s = 2.0;
-  double min_turn_duty = 0.15;
+  double min_turn_duty = 0.3;
   double one_sonar_share = 0.5;
 
   static Result<AvoidObstacleConfig> from(const Parameters& parameters);

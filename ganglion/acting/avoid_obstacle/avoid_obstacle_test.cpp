@@ -130,12 +130,12 @@ TEST(AvoidObstacle, NeverStandsStill) {
 
 TEST(AvoidObstacle, KeepsTurningToOneSideInACorner) {
   ActingBench bench(avoid_obstacle_kind);
-  EXPECT_DOUBLE_EQ(turn_of(step(bench, 0.20, 0.21)), 0.15);  // commits to the right
+  EXPECT_DOUBLE_EQ(turn_of(step(bench, 0.20, 0.21)), 0.3);  // commits to the right
   EXPECT_EQ(bench.out("side"), 1);
-  EXPECT_DOUBLE_EQ(turn_of(step(bench, 0.30, 0.15)), 0.15);  // the right is nearer now: no swinging back
+  EXPECT_DOUBLE_EQ(turn_of(step(bench, 0.30, 0.15)), 0.3);  // the right is nearer now: no swinging back
   EXPECT_EQ(step(bench, 0.50, 0.50).kind, CommandKind::Inactive);
-  for (int i = 0; i < 18; ++i) step(bench, 0.50, 0.50);      // 1.9 s
-  EXPECT_DOUBLE_EQ(turn_of(step(bench, 0.39, 0.20)), 0.15);  // within 2 s of the last near reading: still right
+  for (int i = 0; i < 18; ++i) step(bench, 0.50, 0.50);     // 1.9 s
+  EXPECT_DOUBLE_EQ(turn_of(step(bench, 0.39, 0.20)), 0.3);  // within 2 s of the last near reading: still right
   for (int i = 0; i < 21; ++i) step(bench, 0.50, 0.50);
   EXPECT_EQ(bench.out("side"), 0);
   EXPECT_LT(turn_of(step(bench, 0.39, 0.20)), 0);

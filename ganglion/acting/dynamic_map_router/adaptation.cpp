@@ -56,6 +56,13 @@ Blame blame(const grid::RiskMap& map, const RouteStep& step) noexcept {
   return result;
 }
 
+/// The module below gave the step up for a reason that lies not in the ground.
+bool tells_nothing(const Feedback& feedback) noexcept {
+  if (feedback.outcome != RequestStatus::Withdrawn) return false;
+  const ReasonCode code = feedback.reason.code;
+  return code == ReasonCode::NoReading || code == ReasonCode::BadRequest || code == ReasonCode::Preempted;
+}
+
 }  // namespace
 
 void DynamicMapRouter::internal_adaptation(const Feedback& feedback, Cost cost) noexcept {
@@ -71,7 +78,7 @@ void DynamicMapRouter::attend(const Feedback& feedback, double cost_j) noexcept 
     attempt_cost_j_ += cost_j;
     attempt_costed_ = true;
   }
-  if (!feedback.granted) attempt_.reset();
+  if (!feedback.granted || tells_nothing(feedback)) attempt_.reset();
   locate(feedback);
 }
 

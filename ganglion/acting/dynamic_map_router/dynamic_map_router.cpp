@@ -106,6 +106,8 @@ Command DynamicMapRouter::decide(const Request& request, const Feedback& feedbac
     const auto value = [&](std::size_t i) { return i < request.values.size() ? request.values[i] : kNone; };
     return give_up({ReasonCode::BadRequest, value(0), value(1)});
   }
+  const ReasonCode below = feedback.outcome == RequestStatus::Withdrawn ? feedback.reason.code : ReasonCode::None;
+  if (below == ReasonCode::NoReading || below == ReasonCode::BadRequest) return give_up(feedback.reason);
   if (!cell_read_ || !heading_) return hold(feedback);
   silent_since_s_.reset();
   if (*cell_ == *goal_) return Command::inactive();

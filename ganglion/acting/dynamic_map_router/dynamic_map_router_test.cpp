@@ -11,9 +11,9 @@ namespace {
 
 using grid::Label;
 using grid::Nature;
-using testing::ActingBench;
 using testing::Drive;
 using testing::GridBot;
+using testing::RequestBench;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
@@ -141,7 +141,7 @@ TEST(DynamicMapRouter, MapsAlsoWithARobotThatReportsNoCost) {
   GridBot bot({"#######", "#..#..#", "#.....#", "#######"});
   bot.column = 1, bot.row = 2;
   auto module = DynamicMapRouter::make(Drive::small()).value();
-  ActingBench bench(*module, dynamic_map_router_kind.descriptor, {"cell", "heading"});
+  RequestBench bench(*module, dynamic_map_router_kind.descriptor, {"cell", "heading"});
   bench.ask({3, 2});
   for (int i = 0; i < 10; ++i) {
     bench.ports().set("cell", {static_cast<double>(bot.column), static_cast<double>(bot.row)});
@@ -159,7 +159,7 @@ TEST(DynamicMapRouter, WithdrawsFromASealedGoalAfterThreeRounds) {
   EXPECT_EQ(drive.reason(), ReasonCode::Unreachable);
   EXPECT_EQ(drive.bench().request().reason.first, drive.output("failures"));
   EXPECT_EQ(drive.bench().request().reason.second, 3);
-  EXPECT_EQ(drive.tick().kind, CommandKind::Inactive);  // waits for help
+  EXPECT_EQ(drive.tick().kind, CommandKind::Withdraw);  // waits for help
   EXPECT_EQ(drive.output("phase"), 0);
   ASSERT_EQ(drive.go(3, 1), RequestStatus::Satisfied);  // a new request wakes it
 }
@@ -216,7 +216,7 @@ TEST(DynamicMapRouter, StaysInsideAFullMap) {
 }
 
 /// A frame in which cell and heading are as given.
-const Command& frame(ActingBench& bench, double column, double row, double heading_rad) {
+const Command& frame(RequestBench& bench, double column, double row, double heading_rad) {
   bench.ports().set("cell", {column, row});
   bench.ports().set("heading", {heading_rad});
   return bench.tick(1.0);
@@ -225,7 +225,7 @@ const Command& frame(ActingBench& bench, double column, double row, double headi
 TEST(DynamicMapRouter, HoldsWhileTheCellIsUnknownAndGivesUpAfterItsPatience) {
   for (const double lost : {kNan, kInf, -kInf}) {
     auto module = DynamicMapRouter::make(Drive::small()).value();
-    ActingBench bench(*module, dynamic_map_router_kind.descriptor, {"cell", "heading"}, 1.0);
+    RequestBench bench(*module, dynamic_map_router_kind.descriptor, {"cell", "heading"}, 1.0);
     bench.ask({8, 5});
     EXPECT_EQ(frame(bench, 5, 5, 0).kind, CommandKind::Act);
     for (int i = 0; i < 5; ++i) EXPECT_EQ(frame(bench, lost, 5, 0).kind, CommandKind::Inactive) << i;
@@ -238,7 +238,7 @@ TEST(DynamicMapRouter, HoldsWhileTheCellIsUnknownAndGivesUpAfterItsPatience) {
 
 TEST(DynamicMapRouter, JudgesAStepOnceReadingsReturn) {
   auto module = DynamicMapRouter::make(Drive::small()).value();
-  ActingBench bench(*module, dynamic_map_router_kind.descriptor, {"cell", "heading"});
+  RequestBench bench(*module, dynamic_map_router_kind.descriptor, {"cell", "heading"});
   bench.ask({8, 5});
   frame(bench, 5, 5, 0);
   frame(bench, kNan, kNan, kNan);
@@ -269,6 +269,43 @@ TEST(DynamicMapRouter, LearnsNothingFromAStepThatAnotherModuleOverruled) {
   EXPECT_EQ(drive.module().map().occupied(), 0);
 }
 
+/// The module above a slot that a test answers.
+class Above {
+ public:
+  Above() : module(DynamicMapRouter::make(Drive::small()).value()), bench(*module, dynamic_map_router_kind.descriptor) {
+    bench.join_below(below);
+    bench.ports().set("cell", {5, 5});
+    bench.ports().set("heading", {0});
+    bench.ask({8, 5});
+    bench.tick(std::nullopt);
+  }
+  std::unique_ptr<DynamicMapRouter> module;
+  RequestSlot below;
+  RequestBench bench;
+};
+
+TEST(DynamicMapRouter, MarksTheCellWhenTheModuleBelowCannotDriveThere) {
+  Above above;
+  EXPECT_EQ(above.below.values[0], 1);
+  above.below.withdraw({ReasonCode::AttemptsExhausted, 6, 3});
+  above.bench.tick(1);
+  EXPECT_EQ(above.module->map().find({6, 5})->label, Label::Occupied);
+  EXPECT_EQ(above.below.status, RequestStatus::Pending);  // another step is under way
+}
+
+TEST(DynamicMapRouter, BlamesNoCellWhenTheModuleBelowIsBlindOrPreempted) {
+  Above blind;
+  blind.below.withdraw({ReasonCode::NoReading, 2, 5});
+  blind.bench.tick(1);
+  EXPECT_EQ(blind.module->map().occupied(), 0);
+  EXPECT_EQ(blind.bench.request().reason.code, ReasonCode::NoReading);
+  Above preempted;
+  preempted.below.withdraw({ReasonCode::Preempted, 0, 1});
+  preempted.bench.tick(1);
+  EXPECT_EQ(preempted.module->map().occupied(), 0);
+  EXPECT_EQ(preempted.bench.request().status, RequestStatus::Pending);
+}
+
 TEST(DynamicMapRouter, ExpectsTheCellOfItsStep) {
   GridBot bot = open_ground();
   Drive drive(bot);
@@ -281,7 +318,7 @@ TEST(DynamicMapRouter, ExpectsTheCellOfItsStep) {
 TEST(DynamicMapRouter, AllocatesNothingInATick) {
   GridBot bot({"....#.....", "....#.....", "....#.....", "..........", "....#.....", "....#....."});
   Drive drive(bot);
-  for (int i = 0; i < 2; ++i) drive.tick();  // the first cost tells it where it is; the tiles are taken after that tick
+  ASSERT_EQ(drive.go(0, 1), RequestStatus::Satisfied);  // tiles are taken between ticks
   const std::uint64_t before = testing::allocations();
   drive.bench().ask({9, 5});
   for (int i = 0; i < 200 && drive.bench().request().status == RequestStatus::Pending; ++i) drive.tick();
@@ -355,7 +392,7 @@ TEST(DynamicMapRouter, ShowsItsMapAndRouteInMetres) {
   EXPECT_EQ(shown.names, (std::vector<std::string>{"label", "risk", "static", "inhibited"}));
   EXPECT_EQ(shown.sizes, (std::vector<std::size_t>(4, 64 * 64)));
   EXPECT_EQ(shown.origin, (Vector2{0, 0}));
-  EXPECT_EQ(shown.label[5 * 64 + 5], 0);
+  EXPECT_EQ(shown.label[5 * 64 + 5], 0.5F);  // explored and empty
   EXPECT_EQ(shown.label[5 * 64 + 6], 1);
   ASSERT_GE(shown.route.size(), 2u);
   EXPECT_EQ(shown.route.front(), (Vector2{2.75, 2.75}));

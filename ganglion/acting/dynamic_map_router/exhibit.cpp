@@ -46,7 +46,7 @@ struct Layers {
   void add(const Cell* cell, std::uint32_t now) {
     const bool known = cell != nullptr && cell->label != grid::Label::Unexplored;
     const auto flag = [&](bool value) { return known ? (value ? 1.0f : 0.0f) : kUnknown; };
-    label.push_back(flag(known && cell->label == grid::Label::Occupied));
+    label.push_back(!known ? kUnknown : cell->label == grid::Label::Occupied ? 1.0f : 0.5f);
     risk.push_back(known ? static_cast<float>(cell->risk) : kUnknown);
     is_static.push_back(flag(known && cell->nature == grid::Nature::Static));
     inhibited.push_back(flag(known && grid::RiskMap::inhibited(*cell, now)));

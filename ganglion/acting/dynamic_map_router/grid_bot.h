@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ganglion/acting/dynamic_map_router/dynamic_map_router.h"
-#include "ganglion/module/testing/bench.h"
+#include "ganglion/module/testing/request_bench.h"
 #include "ganglion/units/angle.h"
 
 namespace ganglion {
@@ -134,7 +134,7 @@ class Drive {
     return bench_.request().status;
   }
 
-  ActingBench& bench() { return bench_; }
+  RequestBench& bench() { return bench_; }
   DynamicMapRouter& module() { return *module_; }
   double output(std::string_view name) const { return const_cast<Drive*>(this)->bench_.ports().output(name); }
   const grid::Cell& cell(int column, int row) const { return *module_->map().find({column, row}); }
@@ -146,7 +146,7 @@ class Drive {
  private:
   GridBot* bot_;
   std::unique_ptr<DynamicMapRouter> module_;
-  ActingBench bench_;
+  RequestBench bench_;
   bool first_ = true;
 };
 

@@ -13,6 +13,8 @@ using subsumption::Preset;
 enum Input : std::size_t { kLeft, kRight, kHeading };
 enum Output : std::size_t { kStuck, kPhase };
 
+constexpr double kListingTurn_s = 0.8;  // 20 pulses of 40 ms, 200 counts of 1200
+constexpr double kListingTurnDuty = 1.0 / 6;
 constexpr double kInstant_s = 1e-6;    // rounding of times that were added up
 constexpr double kHoldOver_s = 0.3;    // a late frame makes no gap in a part; the default time to live of a link
 constexpr double kHalfTurnSlack = 10;  // deg: a compass lags behind the turn
@@ -74,12 +76,13 @@ constexpr std::array kParameters = {
                         .min = 0,
                         .max = 60,
                         .help = {"Time of the turn; listing: 0.8 s", "Tiempo del giro; listing: 0,8 s"}},
-    ParameterDescriptor{
-        .name = "turn_duty",
-        .preset = 1.0 / 6,
-        .min = 0,
-        .max = 1,
-        .help = {"Duty of the turn, one track against the other", "Ciclo del giro, una oruga contra la otra"}},
+    ParameterDescriptor{.name = "turn_duty",
+                        .preset = 0.3,
+                        .min = 0,
+                        .max = 1,
+                        .help = {"Duty of the turn, one track against the other; listing: 1/6",
+                                 "Ciclo del giro, una oruga contra la otra; listing: 1/6"},
+                        .ours = true},
     ParameterDescriptor{.name = "stuck_escapes",
                         .type = ParameterType::Integer,
                         .preset = 3,
@@ -98,7 +101,7 @@ constexpr std::array kParameters = {
                         .ours = true},
     ParameterDescriptor{.name = "half_turn_s",
                         .unit = "s",
-                        .preset = 8.5,
+                        .preset = 4.7,
                         .min = 0,
                         .max = 60,
                         .help = {"Time of the half turn without a heading; with one, at most twice this",
@@ -116,8 +119,8 @@ Result<EscapeConfig> EscapeConfig::from(const Parameters& parameters) {
   config.max_range_m = parameters.real("max_range_m");
   config.back_s = parameters.real("back_s");
   config.back_duty = parameters.real("back_duty");
-  config.turn_s = config.preset == Preset::Listing ? 0.8 : parameters.real("turn_s");
-  config.turn_duty = parameters.real("turn_duty");
+  config.turn_s = config.preset == Preset::Listing ? kListingTurn_s : parameters.real("turn_s");
+  config.turn_duty = config.preset == Preset::Listing ? kListingTurnDuty : parameters.real("turn_duty");
   config.stuck_escapes = parameters.integer("stuck_escapes");
   config.stuck_window_s = config.preset == Preset::Listing ? 0 : parameters.real("stuck_window_s");
   config.half_turn_s = parameters.real("half_turn_s");

@@ -15,10 +15,10 @@ struct EscapeConfig {
   double back_s = 2.0;
   double back_duty = 1.0 / 6;
   double turn_s = 1.5;
-  double turn_duty = 1.0 / 6;
+  double turn_duty = 0.3;
   int stuck_escapes = 3;
   double stuck_window_s = 20;
-  double half_turn_s = 8.5;
+  double half_turn_s = 4.7;
 
   static Result<EscapeConfig> from(const Parameters& parameters);
 };
@@ -32,7 +32,8 @@ struct EscapeConfig {
 /// Missing   too close (-inf) triggers; of a dead sonar (NaN) the other decides; both dead: inactive.
 /// Source    Alonso, "Desarrollo de un robot con arquitectura de subsuncion (robot Nimrod)", section 3 and subroutine
 ///           ESCAPE of section 5: back 2.0 s, then clockwise 0.8 s at 1/6 (the text says 1.5 s).
-/// Differs   recommended turns towards the freer side (ours), clockwise where there is none, for 1.5 s; when stuck, by
+/// Differs   recommended turns towards the freer side (ours), clockwise where there is none, for 1.5 s and faster; when
+/// stuck, by
 ///           180 deg: measured where heading is wired, else by half_turn_s. listing takes a dead sonar for one that
 ///           reads 0 m, and so escapes for ever.
 class Escape final : public ActingModule {

@@ -103,12 +103,12 @@ TEST(Escape, TurnsTowardsTheFreerSide) {
     EXPECT_DOUBLE_EQ(command.values[0], -command.values[1]);
     return command.values[0];
   };
-  EXPECT_DOUBLE_EQ(turn(0.05, 0.5), 1.0 / 6);  // clockwise: the right side is freer
-  EXPECT_DOUBLE_EQ(turn(0.5, 0.05), -1.0 / 6);
-  EXPECT_DOUBLE_EQ(turn(kInf, -kInf), -1.0 / 6);
-  EXPECT_DOUBLE_EQ(turn(0.05, 0.05), 1.0 / 6);  // as the listing
-  EXPECT_DOUBLE_EQ(turn(0.05, kNan), 1.0 / 6);  // away from what was seen
-  EXPECT_DOUBLE_EQ(turn(kNan, 0.05), -1.0 / 6);
+  EXPECT_DOUBLE_EQ(turn(0.05, 0.5), 0.3);  // clockwise: the right side is freer
+  EXPECT_DOUBLE_EQ(turn(0.5, 0.05), -0.3);
+  EXPECT_DOUBLE_EQ(turn(kInf, -kInf), -0.3);
+  EXPECT_DOUBLE_EQ(turn(0.05, 0.05), 0.3);  // as the listing
+  EXPECT_DOUBLE_EQ(turn(0.05, kNan), 0.3);  // away from what was seen
+  EXPECT_DOUBLE_EQ(turn(kNan, 0.05), -0.3);
 }
 
 TEST(Escape, AlwaysTurnsClockwiseInTheListing) {
@@ -128,7 +128,7 @@ TEST(Escape, TurnsRoundAtTheThirdEscapeInTwentySeconds) {
   }
   step(bench, 0.05, 1);
   EXPECT_EQ(bench.out("stuck"), 1);
-  EXPECT_EQ(run_out(bench), (std::array<int, 4>{1, 19, 0, 85}));  // without a heading 8.5 s
+  EXPECT_EQ(run_out(bench), (std::array<int, 4>{1, 19, 0, 47}));  // without a heading 4.7 s
   EXPECT_EQ(bench.out("stuck"), 0);
   step(bench, 0.05, 1);
   EXPECT_EQ(bench.out("stuck"), 0);  // counted anew

@@ -1,7 +1,6 @@
 #include "ganglion/acting/hold_heading/hold_heading.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace ganglion {
@@ -9,158 +8,17 @@ namespace {
 
 using subsumption::Preset;
 
+// In the order of the ports in kind.cpp.
 enum Input : std::size_t { kHeading, kDisplacedBy, kLeft, kRight, kCourse };
 enum Output : std::size_t { kOriginal, kTarget, kError, kHeld, kBlind };
 
 constexpr double kInstant_s = 1e-6;  // rounding of times that were added up
-
-constexpr std::array kPorts = {
-    PortDescriptor{.name = "heading",
-                   .unit = "rad",
-                   .type = ValueType::Circular,
-                   .help = {"Yaw by compass", "Rumbo de la brújula"}},
-    PortDescriptor{.name = "displaced_by",
-                   .type = ValueType::Discrete,
-                   .required = false,
-                   .many = true,
-                   .help = {"Whether a behaviour above drove in the tick before: \"escape.active@previous\"",
-                            "Si un comportamiento superior condujo en el tic anterior: \"escape.active@previous\""}},
-    PortDescriptor{.name = "left",
-                   .unit = "m",
-                   .required = false,
-                   .help = {"Range of the left front sonar", "Distancia del sonar delantero izquierdo"}},
-    PortDescriptor{.name = "right",
-                   .unit = "m",
-                   .required = false,
-                   .help = {"Range of the right front sonar", "Distancia del sonar delantero derecho"}},
-    PortDescriptor{
-        .name = "course",
-        .unit = "rad",
-        .type = ValueType::Circular,
-        .required = false,
-        .help = {"Course to steer instead of the heading at the start", "Rumbo que seguir en lugar del inicial"}},
-    subsumption::kTracksPort,
-    PortDescriptor{.name = "original",
-                   .role = PortRole::Output,
-                   .unit = "rad",
-                   .type = ValueType::Circular,
-                   .help = {"The course it returns to", "El rumbo al que vuelve"}},
-    PortDescriptor{
-        .name = "target",
-        .role = PortRole::Output,
-        .unit = "rad",
-        .type = ValueType::Circular,
-        .help = {"What it steers now: the course or a held one", "Lo que sigue ahora: el rumbo o el mantenido"}},
-    PortDescriptor{.name = "error",
-                   .role = PortRole::Output,
-                   .unit = "rad",
-                   .help = {"Target less heading, counter-clockwise; listing: not wrapped",
-                            "Objetivo menos rumbo, antihorario; listing: sin reducir"}},
-    PortDescriptor{.name = "held",
-                   .role = PortRole::Output,
-                   .type = ValueType::Discrete,
-                   .help = {"1 while a held course is steered", "1 mientras sigue un rumbo mantenido"}},
-    PortDescriptor{.name = "blind",
-                   .role = PortRole::Output,
-                   .type = ValueType::Discrete,
-                   .help = {"1 while it stops for want of readings", "1 mientras se detiene por falta de lecturas"}},
-};
-
-constexpr std::array kParameters = {
-    subsumption::kPresetParameter,
-    ParameterDescriptor{.name = "gain_per_deg",
-                        .unit = "1/deg",
-                        .preset = 0.0025,
-                        .min = 0,
-                        .max = 1,
-                        .help = {"Duty of the turn for each degree of error (3 of 1200 counts)",
-                                 "Ciclo del giro por grado de error (3 de 1200 cuentas)"}},
-    ParameterDescriptor{.name = "forward_duty",
-                        .preset = 1.0 / 3,
-                        .min = 0,
-                        .max = 1,
-                        .help = {"Duty ahead while on course", "Ciclo hacia delante si va en rumbo"}},
-    ParameterDescriptor{.name = "fade_deg",
-                        .unit = "deg",
-                        .preset = 90,
-                        .min = 1,
-                        .max = 360,
-                        .help = {"Error at which it turns on the spot", "Error con que gira en el sitio"},
-                        .ours = true},
-    ParameterDescriptor{.name = "hold_s",
-                        .unit = "s",
-                        .preset = 3.0,
-                        .min = 0,
-                        .max = 600,
-                        .help = {"Holds the heading it was left with for so long; listing: 15 cycles",
-                                 "Mantiene este tiempo el rumbo en que quedó; listing: 15 ciclos"},
-                        .ours = true},
-    ParameterDescriptor{.name = "agreement_deg",
-                        .unit = "deg",
-                        .preset = 5,
-                        .min = 0,
-                        .max = 180,
-                        .help = {"Three readings this near to each other give the course",
-                                 "Tres lecturas así de próximas dan el rumbo"},
-                        .ours = true},
-    ParameterDescriptor{.name = "patience_s",
-                        .unit = "s",
-                        .preset = 0.5,
-                        .min = 0,
-                        .max = 60,
-                        .help = {"Keeps the last command for so long without a heading",
-                                 "Mantiene el último mando este tiempo sin brújula"},
-                        .ours = true},
-    ParameterDescriptor{.name = "slow_range_m",
-                        .unit = "m",
-                        .preset = 0.60,
-                        .min = 0.01,
-                        .max = 10,
-                        .help = {"Below this range it goes slower, in proportion",
-                                 "Por debajo de esta distancia va más lento, en proporción"},
-                        .ours = true},
-    ParameterDescriptor{.name = "least_share",
-                        .preset = 0.3,
-                        .min = 0,
-                        .max = 1,
-                        .help = {"Share of the speed ahead that is left however near", "Parte mínima de la velocidad"},
-                        .ours = true},
-    ParameterDescriptor{.name = "one_sonar_share",
-                        .preset = 0.5,
-                        .min = 0,
-                        .max = 1,
-                        .help = {"Share of the speed ahead while one sonar is dead",
-                                 "Parte de la velocidad de avance con un sonar muerto"},
-                        .ours = true},
-};
 
 float compass_deg(double yaw_rad) noexcept {
   return static_cast<float>(compass_deg_from_yaw(Angle::from_rad(yaw_rad)));
 }
 
 }  // namespace
-
-Result<HoldHeadingConfig> HoldHeadingConfig::from(const Parameters& parameters) {
-  if (auto fixed = subsumption::check_listing(parameters); !fixed) return tl::unexpected(fixed.error());
-  HoldHeadingConfig config;
-  config.preset = subsumption::preset_of(parameters);
-  config.gain_per_deg = parameters.real("gain_per_deg");
-  config.forward_duty = parameters.real("forward_duty");
-  config.fade_deg = parameters.real("fade_deg");
-  config.hold_s = parameters.real("hold_s");
-  config.agreement_deg = parameters.real("agreement_deg");
-  config.patience_s = parameters.real("patience_s");
-  config.slow_range_m = parameters.real("slow_range_m");
-  config.least_share = parameters.real("least_share");
-  config.one_sonar_share = parameters.real("one_sonar_share");
-  return config;
-}
-
-Result<std::unique_ptr<ActingModule>> HoldHeading::make(const Parameters& parameters) {
-  const auto config = HoldHeadingConfig::from(parameters);
-  if (!config) return tl::unexpected(config.error());
-  return std::make_unique<HoldHeading>(*config);
-}
 
 Command HoldHeading::internal_propagation(const Request&, const Feedback& feedback) noexcept {
   return config_.preset == Preset::Listing ? listing(feedback) : recommended(feedback);
@@ -187,11 +45,8 @@ Command HoldHeading::recommended(const Feedback& feedback) noexcept {
   if (!std::isfinite(heading_rad)) return without_heading(feedback, share);
   heading_s_ = now_s;
   find_course(feedback, heading_rad);
-  if (pending_) {
-    held_rad_ = heading_rad;
-    held_until_s_ = now_s + config_.hold_s;
-    pending_ = false;
-  }
+  if (pending_) hold(heading_rad, feedback.tick);
+  if (now_s < settled_s_) held_rad_ = heading_rad;
   const bool held = now_s < held_until_s_ - kInstant_s;
   const double target_rad = held ? held_rad_ : course_rad_;
   const double error_rad = wrap_rad(target_rad - heading_rad);
@@ -199,6 +54,16 @@ Command HoldHeading::recommended(const Feedback& feedback) noexcept {
   publish(target_rad, error_rad, held, share == 0);
   last_ = stands ? subsumption::tracks(0, 0) : steer(error_rad, share);
   return last_;
+}
+
+void HoldHeading::hold(double heading_rad, const Tick& tick) noexcept {
+  if (tick.time_s > held_until_s_ + config_.calm_s) struggle_s_ = 0;
+  struggle_s_ += tick.step_s;
+  const double longest_s = std::max(config_.hold_s, config_.max_hold_s);
+  held_rad_ = heading_rad;
+  held_until_s_ = tick.time_s + std::clamp(config_.hold_growth * struggle_s_, config_.hold_s, longest_s);
+  settled_s_ = tick.time_s + config_.settle_s;
+  pending_ = false;
 }
 
 Command HoldHeading::without_heading(const Feedback& feedback, double share) const noexcept {
@@ -264,14 +129,5 @@ void HoldHeading::publish(double target_rad, double error_rad, bool held, bool b
   put(kHeld, held ? 1 : 0);
   put(kBlind, blind ? 1 : 0);
 }
-
-extern constinit const ActingModuleKind hold_heading_kind{
-    .descriptor = {.component_class = ComponentClass::Acting,
-                   .name = "HoldHeading",
-                   .summary = {"Drives along a course by compass", "Avanza por un rumbo según la brújula"},
-                   .ports = kPorts,
-                   .parameters = kParameters,
-                   .source = "Alonso, robot Nimrod, sections 3 and 5 (NAVEGAR)"},
-    .make = HoldHeading::make};
 
 }  // namespace ganglion

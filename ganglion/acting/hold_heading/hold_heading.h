@@ -16,6 +16,10 @@ struct HoldHeadingConfig {
   double forward_duty = 1.0 / 3;
   double fade_deg = 90;
   double hold_s = 3.0;
+  double settle_s = 1.5;
+  double hold_growth = 2.0;
+  double max_hold_s = 48;
+  double calm_s = 5.0;
   double agreement_deg = 5;
   double patience_s = 0.5;
   double slow_range_m = 0.60;
@@ -40,10 +44,13 @@ struct HoldHeadingConfig {
 ///           (NaN): one_sonar_share of the speed ahead; all dead: it stops and is blind. Nothing in range: full speed.
 /// Source    Alonso, "Desarrollo de un robot con arquitectura de subsuncion (robot Nimrod)", sections 3, 8 and the
 ///           program of section 5 (SP_RUMBO, RUMBO, CONTADOR; NAVEGAR, AJUSTE, AVANCE). Gain: 3 of 1200 counts per deg.
-/// Differs   recommended wraps the error, never stands between the bands (ours), learns the course from three readings
-///           that agree (ours), holds for hold_s. listing is the printed program: compass degrees without wrap, the
-///           first heading is the course, 15 cycles of a held course (the text says 10), bursts of 0.04 and 0.2 s; a
-///           heading that is not there keeps its last value, 0 deg at first; sonars are not looked at.
+/// Differs   recommended (all of this ours) wraps the error, never stands between the bands and learns the course from
+///           three readings that agree. It holds for hold_s, or hold_growth times as long as it was displaced since it
+///           was last calm, since a course into a corner else leads back there for ever; for settle_s the held course
+///           follows the heading, as a damped compass is behind after a turn. listing is the printed program: compass
+///           degrees without wrap, the first heading is the course, 15 cycles of a held course (the text says 10),
+///           bursts of 0.04 and 0.2 s; a heading that is not there keeps its last value, 0 deg at first; sonars are not
+///           looked at.
 class HoldHeading final : public ActingModule {
  public:
   explicit HoldHeading(const HoldHeadingConfig& config) noexcept
@@ -64,6 +71,7 @@ class HoldHeading final : public ActingModule {
   Command steer(double error_rad, double share) const noexcept;
   bool displaced(const Feedback& feedback) const noexcept;
   bool new_reading(const Feedback& feedback) noexcept;
+  void hold(double heading_rad, const Tick& tick) noexcept;
   void find_course(const Feedback& feedback, double heading_rad) noexcept;
   double sonar_share(const Feedback& feedback) const noexcept;
   void publish(double target_rad, double error_rad, bool held, bool blind) const noexcept;
@@ -74,6 +82,8 @@ class HoldHeading final : public ActingModule {
   double course_rad_ = kUnknown;
   double held_rad_ = kUnknown;
   double held_until_s_ = -kForever;
+  double settled_s_ = -kForever;   ///< When the held course follows the heading no longer.
+  double struggle_s_ = 0;          ///< Time of being displaced since it was calm.
   bool pending_ = false;           ///< Displaced, and no heading since.
   double measured_s_ = -kForever;  ///< When the last reading that was learned from was taken.
   double heading_s_ = -kForever;   ///< Time of the last heading, and what was commanded then.

@@ -234,6 +234,30 @@ TEST(HoldHeading, HoldsTheHeadingItWasLeftWith) {
   EXPECT_EQ(robot.bench().out("held"), 0);
 }
 
+TEST(HoldHeading, LetsALaggingCompassCatchUpBeforeItHolds) {
+  Recommended robot;
+  for (int i = 0; i < 15; ++i) ASSERT_NEAR(turn_of(robot.step(60 + i, i == 0)), 0, 1e-12) << i;  // settle_s = 1.5
+  EXPECT_NEAR(turn_of(robot.step(80)), 0.0025 * 6, 1e-12);                                       // holds 74
+}
+
+TEST(HoldHeading, HoldsLongerTheLongerItWasDisplaced) {
+  Recommended robot;
+  const auto held_after = [&robot](int displaced_ticks) {
+    for (int i = 0; i < displaced_ticks; ++i) robot.step(60, true);
+    int ticks = 0;
+    while (robot.bench().out("held") == 1 && ticks < 1000) {
+      robot.step(60);
+      ++ticks;
+    }
+    return ticks;
+  };
+  EXPECT_EQ(held_after(100), 200);  // 10 s, twice that
+  EXPECT_EQ(held_after(50), 300);   // not calm for 5 s since: 15 s
+  EXPECT_EQ(held_after(200), 480);  // no more than 48 s
+  for (int i = 0; i < 50; ++i) robot.step(0);
+  EXPECT_EQ(held_after(1), 30);  // forgotten
+}
+
 TEST(HoldHeading, HoldsTheFirstHeadingThatIsBackAfterADisplacement) {
   Recommended robot;
   robot.step(kNan, true);

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "ganglion/module/testing/bench.h"
+#include "ganglion/module/testing/request_bench.h"
 
 namespace ganglion {
 extern const GlobalGoalKind app_kind;

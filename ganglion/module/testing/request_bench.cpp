@@ -66,7 +66,7 @@ double PortBlock::output(std::string_view port) const {
 }
 
 RequestBench::RequestBench(ActingModule& module, const Descriptor& descriptor,
-                         std::initializer_list<std::string_view> wired, double step_s)
+                           std::initializer_list<std::string_view> wired, double step_s)
     : module_(&module), ports_(descriptor, wired), tick_{0, 0, step_s} {
   const auto has_role = [&](PortRole role) {
     return std::any_of(descriptor.ports.begin(), descriptor.ports.end(), [&](const auto& p) { return p.role == role; });

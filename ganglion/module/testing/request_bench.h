@@ -43,7 +43,7 @@ class PortBlock {
 class RequestBench {
  public:
   RequestBench(ActingModule& module, const Descriptor& descriptor, std::initializer_list<std::string_view> wired = {},
-              double step_s = 0.1);
+               double step_s = 0.1);
 
   PortBlock& ports() noexcept { return ports_; }
   RequestSlot& request() noexcept { return request_; }

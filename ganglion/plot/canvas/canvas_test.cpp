@@ -6,6 +6,9 @@
 #include "ganglion/plot/canvas/picture.h"
 #include "ganglion/plot/sample/markup.h"
 
+/// Fontconfig keeps what it found until the process ends; that is no leak of ours.
+extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig\n"; }  // NOLINT: the name is LSan's
+
 namespace ganglion::plot {
 namespace {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "ganglion/module/testing/bench.h"
+#include "ganglion/module/testing/request_bench.h"
 
 namespace ganglion {
 extern const SensingModuleKind grid_cell_kind;
