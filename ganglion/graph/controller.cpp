@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <unordered_map>
 
 namespace ganglion {
 namespace {
@@ -223,20 +224,20 @@ std::vector<ModuleExperience> Controller::experience() const {
 }
 
 void Controller::load(const std::vector<ModuleExperience>& learned, Problems& problems) {
+  std::unordered_map<std::string_view, int> learners;  // for look-ups only
+  for (int i = 0; i < components(); ++i) {
+    if (component(i) != nullptr) learners.emplace(id(i), i);
+  }
   for (const ModuleExperience& one : learned) {
-    bool claimed = false;
-    for (int i = 0; i < components(); ++i) {
-      const Part& part = parts_[static_cast<std::size_t>(i)];
-      if (part.id != one.component || part.kind != one.kind) continue;
-      claimed = true;
-      auto* component = const_cast<Component*>(this->component(i));
-      if (auto loaded = component->load(one.version, one.parts); !loaded) {
-        problems.add({}, loaded.error().code, "{}: {}", one.component, loaded.error().message);
-      }
-    }
-    if (!claimed) {
+    const auto found = learners.find(one.component);
+    if (found == learners.end() || parts_[static_cast<std::size_t>(found->second)].kind != one.kind) {
       problems.add({}, ErrorCode::UnknownKey, "experience of \"{}\" ({}) belongs to no component of this controller",
                    one.component, one.kind);
+      continue;
+    }
+    auto* learner = const_cast<Component*>(component(found->second));
+    if (auto loaded = learner->load(one.version, one.parts); !loaded) {
+      problems.add({}, loaded.error().code, "{}: {}", one.component, loaded.error().message);
     }
   }
   grow();

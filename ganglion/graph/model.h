@@ -87,6 +87,10 @@ inline constexpr std::size_t kMaxComponents = 4096;
 inline constexpr std::size_t kMaxWires = 4096;
 inline constexpr std::size_t kMaxValues = std::size_t{1} << 20;
 
+/// The tolerance of an acting module's requests where its file gives none, by its first Feedback port: 0.05 m, 5 deg,
+/// and 0 for whole numbers, whose requests take no other, and for every other unit.
+double default_tolerance(const Descriptor& kind) noexcept;
+
 /// Reads a controller file. Every problem is reported at its place; the model holds what was understood.
 ControllerModel read_controller(const config::Value& root, const KindList& kinds, Problems& problems);
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <numbers>
 
 #include "ganglion/base/text.h"
 #include "ganglion/config/table.h"
@@ -147,6 +148,23 @@ class WireReader {
   std::vector<std::string> given_;  // wired, or meant to be by what was reported already
 };
 
+/// What requests to a module are compared with.
+const PortDescriptor* first_feedback(const Descriptor& kind) noexcept {
+  for (const PortDescriptor& port : kind.ports) {
+    if (port.role == PortRole::Feedback) return &port;
+  }
+  return nullptr;
+}
+
+void read_tolerance(Table& table, ComponentModel& component) {
+  component.tolerance = table.number("tolerance", default_tolerance(*component.descriptor), config::kNotNegative);
+  const PortDescriptor* port = first_feedback(*component.descriptor);
+  if (component.tolerance == 0 || port == nullptr || port->type != ValueType::Discrete) return;
+  table.problem("tolerance", ErrorCode::BadParameter,
+                "tolerance is {}, but \"{}\" is made of whole numbers, which are compared exactly; leave it out",
+                shortest(component.tolerance), port->name);
+}
+
 void read_component(Table& table, ComponentClass component_class, const KindList& kinds, ControllerModel& model) {
   ComponentModel component;
   component.component_class = component_class;
@@ -173,7 +191,7 @@ void read_component(Table& table, ComponentClass component_class, const KindList
     component.command_place = table.place("command");
   }
   if (component_class == ComponentClass::Acting) {
-    component.tolerance = table.number("tolerance", 0, config::kNotNegative);
+    read_tolerance(table, component);
     component.preemption = table.boolean("preemption", true);
   }
   WireReader(table, component).run();
@@ -208,6 +226,13 @@ void check_ids(const ControllerModel& model, Problems& problems) {
 }
 
 }  // namespace
+
+double default_tolerance(const Descriptor& kind) noexcept {
+  const PortDescriptor* port = first_feedback(kind);
+  if (port == nullptr || port->type == ValueType::Discrete) return 0;
+  if (port->unit == "rad") return 5 * std::numbers::pi / 180;
+  return port->unit == "m" ? 0.05 : 0;
+}
 
 const Wire* ComponentModel::wire(int port) const noexcept {
   for (const Wire& candidate : wires) {

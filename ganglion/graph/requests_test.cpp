@@ -120,6 +120,24 @@ TEST(Request, OfCellsNeedsEveryElementExactly) {
   EXPECT_EQ(rig.signal("wish.satisfied"), 1);
 }
 
+TEST(Request, OfCellsTakesNoTolerance) {
+  EXPECT_EQ(
+      testing::problems_of(one_walker("tolerance = 0.5\n")),
+      "controller.toml:15:13: walker: tolerance is 0.5, but \"place\" is made of whole numbers, which are compared "
+      "exactly; leave it out\n");
+}
+
+TEST(Request, OfMetresIsSatisfiedWithinFiveCentimetresUnlessToldOtherwise) {
+  Rig rig(one_seeker());
+  rig.set("a", 4);
+  rig.set("place", 3.94);
+  rig.tick(2);
+  EXPECT_EQ(rig.signal("wish.satisfied"), 0);
+  rig.set("place", 3.96);
+  rig.tick();
+  EXPECT_EQ(rig.signal("wish.satisfied"), 1);
+}
+
 TEST(Request, LeavesAModuleInactiveWhileNothingIsAsked) {
   Rig rig(sensations({"place", "a"}) + R"([[goal]]
 id = "wish"

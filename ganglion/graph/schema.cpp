@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ganglion/descriptor/json_schema.h"
+#include "ganglion/graph/model.h"
 
 namespace ganglion {
 namespace {
@@ -69,7 +70,7 @@ Json component_schema(const Descriptor& kind) {
     properties["tolerance"] = {
         {"type", "number"},
         {"minimum", 0},
-        {"default", 0},
+        {"default", default_tolerance(kind)},
         {"description", "A request is satisfied within this, in the unit of the first feedback"}};
     properties["preemption"] = {{"type", "boolean"},
                                 {"default", true},

@@ -1,0 +1,79 @@
+#include <gtest/gtest.h>
+
+#include "ganglion/graph/testing/rig.h"
+
+namespace ganglion {
+namespace {
+
+using testing::Rig;
+using testing::sensations;
+
+/// Two Seekers, which remember their steps; sensations and goals have nothing to remember.
+const std::string kLearners = sensations({"place"}) + R"([[goal]]
+id = "wish"
+kind = "Wish"
+values = [9]
+[[acting]]
+id = "upper"
+kind = "Seeker"
+in.goal = "wish"
+in.place = "place"
+[[acting]]
+id = "lower"
+kind = "Seeker"
+in.goal = "upper"
+in.place = "place"
+relative = true
+command = "move"
+)";
+
+Rig experienced() {
+  Rig rig(kLearners);
+  rig.tick();
+  rig.set("place", 1);
+  rig.tick();
+  return rig;
+}
+
+TEST(Experience, ComesBackAsItWasSaved) {
+  const std::vector<ModuleExperience> saved = experienced().controller.experience();
+  ASSERT_EQ(saved.size(), 2u);
+  EXPECT_EQ(saved[0].component, "upper");
+  EXPECT_EQ(saved[0].kind, "Seeker");
+  EXPECT_EQ(saved[0].version, 1u);
+  ByteReader reader(saved[0].parts.at(0).bytes);
+  EXPECT_EQ(reader.f64(), 1);  // its waypoints
+  EXPECT_EQ(reader.f64(), 2);
+  EXPECT_TRUE(reader.complete());
+
+  Rig fresh(kLearners);
+  Problems problems;
+  fresh.controller.load(saved, problems);
+  EXPECT_TRUE(problems.empty()) << problems.text();
+  EXPECT_EQ(fresh.controller.experience().at(1).parts.at(0).bytes, saved[1].parts.at(0).bytes);
+  fresh.tick();
+  EXPECT_EQ(fresh.signal("upper.remembered"), 3);
+}
+
+TEST(Experience, ThatNoComponentClaimsIsReportedAndLeftAlone) {
+  Rig rig(kLearners);
+  Problems problems;
+  rig.controller.load({{"elsewhere", "Seeker", 1, {}}, {"upper", "Walker", 1, {}}, {"place", "", 1, {}}}, problems);
+  EXPECT_EQ(problems.text(),
+            "experience of \"elsewhere\" (Seeker) belongs to no component of this controller\n"
+            "experience of \"place\" () belongs to no component of this controller\n"
+            "experience of \"upper\" (Walker) belongs to no component of this controller\n");
+}
+
+TEST(Experience, ThatIsDamagedOrNewerIsReportedWithItsComponent) {
+  Rig rig = experienced();
+  const auto before = rig.controller.experience().at(0).parts.at(0).bytes;
+  Problems problems;
+  rig.controller.load({{"upper", "Seeker", 1, {{"steps", std::vector<std::byte>(7)}}}, {"lower", "Seeker", 2, {}}},
+                      problems);
+  EXPECT_EQ(problems.text(), "lower: version 2 is newer than 1\nupper: no steps\n");
+  EXPECT_EQ(rig.controller.experience().at(0).parts.at(0).bytes, before);
+}
+
+}  // namespace
+}  // namespace ganglion
