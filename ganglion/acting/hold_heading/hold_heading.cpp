@@ -57,13 +57,14 @@ Command HoldHeading::recommended(const Feedback& feedback) noexcept {
 }
 
 void HoldHeading::hold(double heading_rad, const Tick& tick) noexcept {
+  pending_ = false;
+  if (config_.hold_s <= 0) return;  // the held course is switched off
   if (tick.time_s > held_until_s_ + config_.calm_s) struggle_s_ = 0;
   struggle_s_ += tick.step_s;
   const double longest_s = std::max(config_.hold_s, config_.max_hold_s);
   held_rad_ = heading_rad;
   held_until_s_ = tick.time_s + std::clamp(config_.hold_growth * struggle_s_, config_.hold_s, longest_s);
   settled_s_ = tick.time_s + config_.settle_s;
-  pending_ = false;
 }
 
 Command HoldHeading::without_heading(const Feedback& feedback, double share) const noexcept {
