@@ -27,9 +27,9 @@ using FreeGround = std::vector<double>;
 ///   progress_m            farthest way along the heading of the start
 ///   far_wall_m            way along it up to the first structural wall
 ///   progress_ratio        until the far wall: progress made / progress that free ground would have given in that time
-///   dwell_s               longest time within some disc of 0.5 m, standing still with `stuck` or `blind` raised excepted
-///   explored_m2           area of the 0.25 m squares the centre has been in
-///   <id>_share            for each candidate of a coordinator the share of ticks it drove
+///   dwell_s               longest time within some disc of 0.5 m, standing still with `stuck` or `blind` raised
+///   excepted explored_m2           area of the 0.25 m squares the centre has been in <id>_share            for each
+///   candidate of a coordinator the share of ticks it drove
 class RobotMeasures {
  public:
   RobotMeasures(const sim::Ground& ground, const sim::Truth& start, double radius_m, const Controller& controller,
@@ -69,7 +69,8 @@ class RobotMeasures {
 /// Measures of a trainer's goals: goals_set, goals_reached, goals_withdrawn, goals_timed_out, goals_unreachable,
 /// goals_missed (reachable when set, yet not reached), unreachable_withdrawn, and travelled over shortest way of the
 /// first five and of the last five goals reached (travel_ratio_first, travel_ratio_last) and of the second half
-/// (travel_ratio_late).
+/// (travel_ratio_late): over the shortest way of a robot that turns on the spot, and, with `_steered` appended, over
+/// that of one that turns no more than the trainer's max_turn_deg in a step. Movers aside, both.
 void report_goals(std::span<const sim::GoalRecord> goals, Measures& into);
 
 }  // namespace ganglion
