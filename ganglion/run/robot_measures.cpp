@@ -17,14 +17,24 @@ std::uint64_t square_of(Vector2 position) noexcept {
   return (std::uint64_t{static_cast<std::uint32_t>(column)} << 32) | static_cast<std::uint32_t>(row);
 }
 
-double ratio_of(std::span<const sim::GoalRecord> goals) {
+using Yardstick = double sim::GoalRecord::*;
+
+double ratio_of(std::span<const sim::GoalRecord> goals, Yardstick yardstick) {
   double travelled_m = 0, shortest_m = 0;
   for (const sim::GoalRecord& goal : goals) {
-    if (!std::isfinite(goal.static_shortest_m)) continue;
+    if (!std::isfinite(goal.*yardstick)) continue;
     travelled_m += goal.travelled_m;
-    shortest_m += goal.static_shortest_m;
+    shortest_m += goal.*yardstick;
   }
   return shortest_m > 0 ? travelled_m / shortest_m : std::numeric_limits<double>::quiet_NaN();
+}
+
+void report_ratios(std::span<const sim::GoalRecord> reached, Yardstick yardstick, const std::string& suffix,
+                   Measures& into) {
+  const std::size_t few = std::min<std::size_t>(5, reached.size());
+  into.emplace_back("travel_ratio_first" + suffix, ratio_of(reached.first(few), yardstick));
+  into.emplace_back("travel_ratio_last" + suffix, ratio_of(reached.last(few), yardstick));
+  into.emplace_back("travel_ratio_late" + suffix, ratio_of(reached.subspan(reached.size() / 2), yardstick));
 }
 
 }  // namespace
@@ -113,11 +123,8 @@ void report_goals(std::span<const sim::GoalRecord> goals, Measures& into) {
   for (const sim::GoalRecord& goal : goals) {
     if (goal.outcome == sim::GoalOutcome::Reached) reached.push_back(goal);
   }
-  const std::span<const sim::GoalRecord> all(reached);
-  const std::size_t few = std::min<std::size_t>(5, all.size());
-  into.emplace_back("travel_ratio_first", ratio_of(all.first(few)));
-  into.emplace_back("travel_ratio_last", ratio_of(all.last(few)));
-  into.emplace_back("travel_ratio_late", ratio_of(all.subspan(all.size() / 2)));
+  report_ratios(reached, &sim::GoalRecord::static_shortest_m, "", into);
+  report_ratios(reached, &sim::GoalRecord::steered_shortest_m, "_steered", into);
 }
 
 }  // namespace ganglion

@@ -27,6 +27,8 @@ struct GoalRecord {
   bool reachable = true;  ///< Whether any way led there from the start of the run, movers aside.
   double shortest_m = std::numeric_limits<double>::infinity();  ///< From `start`, movers as they stood; +inf = no way.
   double static_shortest_m = std::numeric_limits<double>::infinity();  ///< The same without movers.
+  /// `static_shortest_m` for a robot with the heading of that moment and the trainer's max_turn_deg.
+  double steered_shortest_m = std::numeric_limits<double>::infinity();
   double travelled_m = 0;
   std::uint32_t ticks = 0;  ///< From setting to the outcome.
   GoalOutcome outcome = GoalOutcome::Open;

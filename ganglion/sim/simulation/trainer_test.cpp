@@ -134,6 +134,28 @@ TEST(Trainer, MeasuresTheShortestWayWithMoversAsTheyStand) {
   EXPECT_TRUE(record.reachable);
 }
 
+TEST(Trainer, MeasuresTheShortestWayForARobotThatTurnsALittleAtATime) {
+  // Heading east, the cell north takes a step north-east and one back west; heading north, the next is one step ahead.
+  const std::string cells = "cells = [0, 2, 0, 3]\n";
+  Trial trial(kFlat, stepper_with(cells + "max_turn_deg = 45\n"), at(0.25, 0.75));
+  trial.go({1, kPi / 2}, 1);
+  const auto records = trial.simulation->trainer_log(0)->records();
+  ASSERT_EQ(records.size(), 2u);
+  EXPECT_NEAR(records[0].static_shortest_m, 0.5, 1e-9);
+  EXPECT_NEAR(records[0].steered_shortest_m, 0.5 * (1 + std::sqrt(2.0)), 1e-9);
+  EXPECT_NEAR(records[1].static_shortest_m, 0.5, 1e-9);
+  EXPECT_NEAR(records[1].steered_shortest_m, 0.5, 1e-9);
+  Trial on_the_spot(kFlat, stepper_with(cells), at(0.25, 0.75));
+  EXPECT_NEAR(on_the_spot.simulation->trainer_log(0)->records()[0].steered_shortest_m, 0.5, 1e-9);
+}
+
+TEST(Trainer, RefusesTurnsThatAreNoneOfItsThree) {
+  Problems problems;
+  const std::string robot = "format = 1\nname = \"r\"\n[body]\nlength_m = 0.2\nwidth_m = 0.2\nradius_m = 0.1\n";
+  EXPECT_FALSE(parse_robot(robot + stepper_with("max_turn_deg = 60\n"), "robot.toml", testing::kKinds, problems));
+  EXPECT_NE(problems.text().find("max_turn_deg is 60, must be 45, 90 or 180"), std::string::npos) << problems.text();
+}
+
 TEST(Trainer, FailsWhereThereIsNothingToDraw) {
   Problems problems;
   const auto model = testing::robot_of(stepper_with("sealed_share = 0.5\n"));

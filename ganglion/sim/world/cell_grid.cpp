@@ -87,12 +87,15 @@ bool CellGrid::contains(Cell cell) const noexcept {
 
 bool CellGrid::free(Cell cell) const noexcept { return contains(cell) && free_[index(cell)] != 0; }
 
+CellGrid::Cell CellGrid::beside(Cell cell, int eighth) noexcept {
+  const Offset offset = kNeighbours[static_cast<std::size_t>(eighth)];
+  return {cell.column + offset.column, cell.row + offset.row};
+}
+
 bool CellGrid::step_free(Cell from, Cell to) const noexcept {
   if (!contains(from)) return false;
   for (int k = 0; k < 8; ++k) {
-    if (to == Cell{from.column + kNeighbours[k].column, from.row + kNeighbours[k].row}) {
-      return (steps_[index(from)] >> k & 1) != 0;
-    }
+    if (to == beside(from, k)) return (steps_[index(from)] >> k & 1) != 0;
   }
   return false;
 }

@@ -35,6 +35,8 @@ class CellGrid {
   int rows() const noexcept { return rows_; }
   bool contains(Cell cell) const noexcept;
   bool free(Cell cell) const noexcept;
+  /// The neighbour of a cell in direction eighth * 45 deg, eighth 0..7 counter-clockwise from x.
+  static Cell beside(Cell cell, int eighth) noexcept;
   /// Whether one step leads from a cell to a neighbour.
   bool step_free(Cell from, Cell to) const noexcept;
   /// Every free cell, row by row.

@@ -54,6 +54,16 @@ constexpr std::array kParameters = {
         .help = {"A goal is given up after that; 0 = never", "Una meta se abandona tras ese tiempo; 0 = nunca"},
         .ours = true},
     ParameterDescriptor{
+        .name = "max_turn_deg",
+        .type = ParameterType::Integer,
+        .unit = "deg",
+        .preset = 180,
+        .min = 45,
+        .max = 180,
+        .help = {"How far the robot turns in one step (45, 90 or 180), for the shortest way it is measured against",
+                 "Cuánto gira el robot en un paso (45, 90 o 180), para el camino más corto con que se compara"},
+        .ours = true},
+    ParameterDescriptor{
         .name = "cells",
         .type = ParameterType::Reals,
         .min = -1e9,
@@ -80,12 +90,17 @@ Result<std::vector<CellGrid::Cell>> cells_of(std::span<const double> numbers) {
 }
 
 Result<std::unique_ptr<Sensor>> make(const Parameters& parameters) {
+  const int turn_deg = parameters.integer("max_turn_deg");
+  if (turn_deg != 45 && turn_deg != 90 && turn_deg != 180) {
+    return fail(ErrorCode::BadParameter, "max_turn_deg is {}, must be 45, 90 or 180", turn_deg);
+  }
   auto cells = cells_of(parameters.reals("cells"));
   if (!cells) return tl::unexpected<Error>(cells.error());
   return std::make_unique<Trainer>(TrainerConfig{.cell_m = parameters.real("cell_m"),
                                                  .goals = parameters.integer("goals"),
                                                  .sealed_share = parameters.real("sealed_share"),
                                                  .patience_s = parameters.real("patience_s"),
+                                                 .max_turn_deg = turn_deg,
                                                  .cells = std::move(*cells)});
 }
 

@@ -6,6 +6,14 @@
 #include "ganglion/math/functions.h"
 
 namespace ganglion::sim {
+namespace {
+
+/// The multiple of 45 deg nearest to an angle, as 0..7 counter-clockwise from x.
+int eighth_of(Angle heading) noexcept {
+  return (static_cast<int>(std::floor(heading.wrapped().rad() / (kPi / 4) + 0.5)) + 8) % 8;
+}
+
+}  // namespace
 
 Limits Trainer::limits(std::size_t channel) const noexcept {
   if (channel == 0) return {-1e9, 1e9};
@@ -15,8 +23,14 @@ Limits Trainer::limits(std::size_t channel) const noexcept {
 Result<void> Trainer::make_grid(const Scene& scene) {
   if (grid_ && ground_ == scene.world.shared_ground()) return {};
   ground_ = scene.world.shared_ground();
+  grid_.reset();  // whatever fails below fails the next reset too
   auto grid = CellGrid::make(*ground_, config_.cell_m, scene.radius_m);
   if (!grid) return tl::unexpected<Error>(grid.error());
+  if (config_.max_turn_deg < 180) {
+    auto way = SteeredWay::make(*grid, config_.max_turn_deg / 45);
+    if (!way) return tl::unexpected<Error>(way.error());
+    steered_way_ = std::move(*way);
+  }
   grid_ = std::move(*grid);
   workspace_ = grid_->make_workspace();
   if (!ground_->movers().empty()) taken_.reserve(static_cast<std::size_t>(grid_->columns()) * grid_->rows());
@@ -86,15 +100,22 @@ void Trainer::set_goal(const Scene& scene) noexcept {
                     .start = grid_->cell_at(scene.robot.pose.position),
                     .goal = goal.cell,
                     .reachable = goal.reachable};
-  if (grid_->contains(record.start) && grid_->contains(record.goal)) {
-    record.static_shortest_m = grid_->shortest_m(record.start, record.goal, {}, *workspace_);
-    grid_->taken_by_movers(scene.world, taken_);
-    record.shortest_m =
-        taken_.empty() ? record.static_shortest_m : grid_->shortest_m(record.start, record.goal, taken_, *workspace_);
-  }
+  if (grid_->contains(record.start) && grid_->contains(record.goal)) measure_ways(scene, record);
   records_.push_back(record);
   set_s_ = scene.time_s;
   set_travelled_m_ = scene.robot.travelled_m;
+}
+
+void Trainer::measure_ways(const Scene& scene, GoalRecord& record) noexcept {
+  record.static_shortest_m = grid_->shortest_m(record.start, record.goal, {}, *workspace_);
+  record.steered_shortest_m = record.static_shortest_m;
+  if (steered_way_) {
+    record.steered_shortest_m =
+        steered_way_->shortest_m(*grid_, record.start, eighth_of(scene.robot.pose.yaw), record.goal);
+  }
+  grid_->taken_by_movers(scene.world, taken_);
+  record.shortest_m =
+      taken_.empty() ? record.static_shortest_m : grid_->shortest_m(record.start, record.goal, taken_, *workspace_);
 }
 
 void Trainer::hear(const ActFrame& frame) noexcept {

@@ -6,6 +6,7 @@
 
 #include "ganglion/sim/robot/sensor.h"
 #include "ganglion/sim/robot/trainer_log.h"
+#include "ganglion/sim/world/steered_way.h"
 
 namespace ganglion::sim {
 
@@ -14,6 +15,7 @@ struct TrainerConfig {
   int goals = 20;           ///< How many to draw, where `cells` is empty.
   double sealed_share = 0;  ///< Share of the drawn goals that are free but out of reach, to see them withdrawn.
   double patience_s = 0;    ///< A goal is given up after that; 0 = never.
+  int max_turn_deg = 180;   ///< Largest turn in one step, 45, 90 or 180, for steered_shortest_m; 180 = on the spot.
   std::vector<CellGrid::Cell> cells;  ///< Goals in order, instead of drawn ones.
 };
 
@@ -48,6 +50,7 @@ class Trainer final : public Sensor, public TrainerLog {
   Result<void> draw_goals(CellGrid::Cell start, Draws& draws);
   void state_goals(CellGrid::Cell start);
   void set_goal(const Scene& scene) noexcept;
+  void measure_ways(const Scene& scene, GoalRecord& record) noexcept;
   std::optional<GoalOutcome> outcome(const Scene& scene) const noexcept;
   void conclude(const Scene& scene, GoalOutcome outcome) noexcept;
 
@@ -55,7 +58,8 @@ class Trainer final : public Sensor, public TrainerLog {
   std::shared_ptr<const Ground> ground_;  // that grid_ was made of
   std::optional<CellGrid> grid_;
   std::optional<CellGrid::Workspace> workspace_;
-  std::vector<CellGrid::Cell> taken_;  // by movers
+  std::optional<SteeredWay> steered_way_;  // only for robots that do not turn on the spot
+  std::vector<CellGrid::Cell> taken_;      // by movers
   std::vector<Goal> goals_;
   std::vector<GoalRecord> records_;  // room for all goals
   double set_s_ = 0;                 // time at which the present goal was set
