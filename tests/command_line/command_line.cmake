@@ -1,0 +1,65 @@
+# PROGRAM: ganglion; SOURCE: the project; WORK: a folder to write to.
+file(REMOVE_RECURSE ${WORK})
+file(MAKE_DIRECTORY ${WORK})
+
+# call(EXPECTED_EXIT_CODE ARGUMENTS...): leaves standard output in `out`, standard error in `err`.
+function(call expected)
+  execute_process(COMMAND ${PROGRAM} ${ARGN} WORKING_DIRECTORY ${SOURCE} RESULT_VARIABLE code OUTPUT_VARIABLE out
+                  ERROR_VARIABLE err)
+  if(NOT code EQUAL expected)
+    message(FATAL_ERROR "ganglion ${ARGN}: exit code ${code}, expected ${expected}\n${out}${err}")
+  endif()
+  set(out "${out}" PARENT_SCOPE)
+  set(err "${err}" PARENT_SCOPE)
+endfunction()
+
+function(expect text pattern)
+  if(NOT text MATCHES "${pattern}")
+    message(FATAL_ERROR "expected \"${pattern}\" in:\n${text}")
+  endif()
+endfunction()
+
+call(0 run experiments/nimrod --seed 1 --set run.duration_s=3 --json --no-record)
+file(READ ${SOURCE}/tests/command_line/run.json pinned)
+if(NOT out STREQUAL pinned)
+  message(FATAL_ERROR "run --json differs from tests/command_line/run.json:\n${out}")
+endif()
+
+call(0 run experiments/nimrod --seeds 1..4 --threads 1 --set run.duration_s=20 --json --no-record)
+set(alone "${out}")
+call(0 run experiments/nimrod --seeds 1..4 --threads 2 --set run.duration_s=20 --json --no-record)
+if(NOT out STREQUAL alone)
+  message(FATAL_ERROR "two threads give other results than one")
+endif()
+
+call(0 run experiments/pathfinder --seed 1 --experience ${WORK}/map.sqlite --out ${WORK}/runs)
+call(0 replay ${WORK}/runs/seed_0001.mcap)
+expect("${out}" "^same: digest ")
+call(0 run experiments/pathfinder --seed 2 --experience ${WORK}/map.sqlite --out ${WORK}/runs)
+call(0 replay ${WORK}/runs/seed_0002.mcap)  # started with experience: learning included
+expect("${out}" "^same: digest ")
+call(0 experience show ${WORK}/map.sqlite)
+expect("${out}" "router +DynamicMapRouter")
+call(0 experience forget ${WORK}/map.sqlite router)
+call(0 runs verify ${WORK}/runs/seed_0001.mcap ${WORK}/runs/seed_0002.mcap)
+call(0 runs list ${WORK}/runs)
+expect("${out}" "seed_0001.mcap")
+call(0 plot ${WORK}/runs/seed_0001.mcap --out ${WORK}/pictures)
+expect("${out}" "trajectory.svg")
+
+call(2 run experiments/nimrod --set controller.acting.escpe.trigger_range_m=1)
+expect("${err}" "did you mean \"escape\"")
+call(2 run experiments/nimrod --set run.duration_s=-1)
+expect("${err}" "duration_s is -1, must be in")
+call(2 check ${WORK}/nothing.toml)
+expect("${err}" "there is no such file")
+call(2 kinds Escpe)
+expect("${err}" "did you mean \"Escape\"")
+call(2 frobnicate)
+call(0 doctor)
+
+file(WRITE ${WORK}/in.csv "time_s,sonar_left,sonar_right,heading\n0,1,1,0\n1.6,0.3,0.5,0\n3.2,nan,inf,0\n")
+call(0 replay experiments/nimrod/controller.listing.toml --inputs ${WORK}/in.csv --out ${WORK}/out.csv)
+file(READ ${WORK}/out.csv table)
+# u = 3 * 20 cm / 1200 = 0.05 turns right; the dead sonar reads 0 and escapes, back at 200 / 1200.
+expect("${table}" "time_s,drive.left,drive.right,arbiter.active\n.*1.6,0.05,-0.05,avoid\n3.2,-0.16666666666666666,-0.16666666666666666,escape\n$")
