@@ -1,0 +1,102 @@
+// What AmDmr keeps and shows: experience saved and loaded, exhibits for onlookers.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "ganglion/acting/dynamic_map_router/grid_bot.h"
+#include "ganglion/module/testing/allocations.h"
+
+namespace ganglion {
+namespace {
+
+using grid::Label;
+using grid::Nature;
+using testing::Drive;
+using testing::GridBot;
+using testing::RequestBench;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInf = std::numeric_limits<double>::infinity();
+
+GridBot open_ground(int column = 5, int row = 5, int side = 12) {
+  const auto n = static_cast<std::size_t>(side);
+  GridBot bot(std::vector<std::string>(n, std::string(n, '.')));
+  bot.column = column;
+  bot.row = row;
+  return bot;
+}
+
+TEST(DynamicMapRouter, DrivesAsWellAfterItsExperienceWasSavedAndLoaded) {
+  const std::vector<std::string> room = {"........", "...##...", "....#...", "....#...", "...##...", "........"};
+  GridBot teacher(room);
+  Drive taught(teacher);
+  for (int trip = 0; trip < 8; ++trip) {
+    teacher.column = 1, teacher.row = 2, teacher.heading = 0, teacher.length = 0;
+    taught.tick();
+    ASSERT_EQ(taught.go(6, 2), RequestStatus::Satisfied);
+  }
+  std::vector<ExperiencePart> parts;
+  taught.module().save(parts);
+  GridBot pupil(room);
+  pupil.column = 1, pupil.row = 2;
+  Drive drive(pupil);
+  ASSERT_TRUE(drive.module().load(1, parts));
+  ASSERT_EQ(drive.go(6, 2), RequestStatus::Satisfied);
+  EXPECT_EQ(pupil.length, teacher.length);
+  EXPECT_EQ(pupil.bumps, 0);
+}
+
+TEST(DynamicMapRouter, KeepsItsMapWhenWhatItShallLoadIsDamaged) {
+  GridBot bot = open_ground();
+  Drive drive(bot);
+  ASSERT_EQ(drive.go(8, 5), RequestStatus::Satisfied);
+  std::vector<ExperiencePart> parts;
+  drive.module().save(parts);
+  parts.back().bytes.pop_back();
+  EXPECT_FALSE(drive.module().load(1, parts));
+  EXPECT_FALSE(drive.module().load(2, {}));
+  EXPECT_EQ(drive.module().map().explored(), 4);
+}
+
+struct Shown final : Exhibition {
+  void grid(const GridExhibit& grid) override {
+    columns = grid.columns;
+    for (const GridLayer& layer : grid.layers) {
+      names.emplace_back(layer.name);
+      sizes.push_back(layer.values.size());
+    }
+    origin = grid.origin;
+    if (!grid.layers.empty()) label.assign(grid.layers[0].values.begin(), grid.layers[0].values.end());
+  }
+  void path(std::string_view name, std::span<const Vector2> points) override {
+    if (name == "route") route.assign(points.begin(), points.end());
+  }
+  int columns = 0;
+  Vector2 origin;
+  std::vector<std::string> names;
+  std::vector<std::size_t> sizes;
+  std::vector<float> label;
+  std::vector<Vector2> route;
+};
+
+TEST(DynamicMapRouter, ShowsItsMapAndRouteInMetres) {
+  GridBot bot = open_ground();
+  bot.blocks.insert({6, 5});
+  Drive drive(bot);
+  drive.bench().ask({7, 5});
+  drive.tick();
+  drive.tick();
+  Shown shown;
+  drive.module().show(shown);
+  EXPECT_EQ(shown.names, (std::vector<std::string>{"label", "risk", "static", "inhibited"}));
+  EXPECT_EQ(shown.sizes, (std::vector<std::size_t>(4, 64 * 64)));
+  EXPECT_EQ(shown.origin, (Vector2{0, 0}));
+  EXPECT_EQ(shown.label[5 * 64 + 5], 0.5F);  // explored and empty
+  EXPECT_EQ(shown.label[5 * 64 + 6], 1);
+  ASSERT_GE(shown.route.size(), 2u);
+  EXPECT_EQ(shown.route.front(), (Vector2{2.75, 2.75}));
+  EXPECT_EQ(shown.route.back(), (Vector2{3.75, 2.75}));
+}
+
+}  // namespace
+}  // namespace ganglion
