@@ -65,7 +65,8 @@ class Drawing {
     for (const PortDescriptor& port : commander.ports) {
       if (port.role != PortRole::Command || !drives) continue;
       CommandChannel channel{"out", {}};
-      for (const std::string_view element : port.elements) channel.elements.push_back({std::string(element), "", -10, 10, 0});
+      for (const std::string_view element : port.elements)
+        channel.elements.push_back({std::string(element), "", -10, 10, 0});
       robot_.commands.push_back(channel);
       lines += "command = \"out\"\n";
     }
@@ -98,7 +99,8 @@ Controller compiled(const Drawing& drawing, const std::string& name) {
 
 std::vector<const Descriptor*> kinds_of_controllers() {
   std::vector<const Descriptor*> kinds;
-  for (const auto one : {ComponentClass::Sensing, ComponentClass::Goal, ComponentClass::Acting, ComponentClass::Coordinator}) {
+  for (const auto one :
+       {ComponentClass::Sensing, ComponentClass::Goal, ComponentClass::Acting, ComponentClass::Coordinator}) {
     for (const Descriptor* kind : descriptors_of(controller_kinds(), one)) {
       if (kind->name != "App" && kind->name != "Constant") kinds.push_back(kind);  // covered as goals of the others
     }
