@@ -59,6 +59,8 @@ expect("${err}" "odd.json: runs.0..measures.way_m is no number")
 
 call(2 run experiments/nimrod --set controller.acting.escpe.trigger_range_m=1)
 expect("${err}" "did you mean \"escape\"")
+call(0 run experiments/nimrod --faults matrix --seeds 1..2 --set run.duration_s=1)
+expect("${out}" "healthy +2 .*sonar_left dead +2 ")
 call(2 run experiments/nimrod --set run.duration_s=-1)
 expect("${err}" "duration_s is -1, must be in")
 call(2 check ${WORK}/nothing.toml)
