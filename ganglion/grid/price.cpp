@@ -1,5 +1,7 @@
 #include "ganglion/grid/price.h"
 
+#include <algorithm>
+
 #include "ganglion/math/functions.h"
 
 namespace ganglion::grid {
@@ -20,6 +22,14 @@ std::uint32_t Pricing::risk_units(double risk) const noexcept {
   return risk > 0 ? rounded(-rule_.risk_weight * math::log(1 - risk) * kStraightUnits) : 0;
 }
 
+void Pricing::price_unexplored(CellIndex index, Price& price) const noexcept {
+  const double risk = unexplored_risk(*map_, index, rule_.unexplored);
+  price.risk = risk_units(risk);
+  // A diagonal attempt that fails beside unexplored ground teaches little; straight attempts come first.
+  const bool suspects = query_ == Query::Feasible;
+  price.side = suspects ? risk_units(std::max(risk, map_->rule().first_risk)) : price.risk;
+}
+
 Price Pricing::operator()(CellIndex index) const noexcept {
   const Cell* cell = map_->find(index);
   Price price;
@@ -30,10 +40,10 @@ Price Pricing::operator()(CellIndex index) const noexcept {
   const double factor = weighs ? map_->cost_factor(*cell) : 1;
   price.straight = rounded(kStraightUnits * factor);
   price.diagonal = rounded(kDiagonalUnits * factor);
-  if (query_ == Query::Feasible) {
-    price.risk = known ? risk_units(cell->risk) : 0;
-    // A diagonal attempt that fails beside unexplored ground teaches little; straight attempts come first.
-    price.side = known ? price.risk : risk_units(map_->rule().first_risk);
+  if (!known) {
+    price_unexplored(index, price);
+  } else if (query_ == Query::Feasible) {
+    price.risk = price.side = risk_units(cell->risk);
   }
   return price;
 }
