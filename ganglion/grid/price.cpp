@@ -18,16 +18,16 @@ bool Pricing::open(const Cell& cell) const noexcept {
   return !map_->spent(cell);
 }
 
-std::uint32_t Pricing::risk_units(double risk) const noexcept {
-  return risk > 0 ? rounded(-rule_.risk_weight * math::log(1 - risk) * kStraightUnits) : 0;
+std::uint32_t Pricing::risk_units(double risk, double weight) noexcept {
+  return risk > 0 ? rounded(-weight * math::log(1 - risk) * kStraightUnits) : 0;
 }
 
 void Pricing::price_unexplored(CellIndex index, Price& price) const noexcept {
   const double risk = unexplored_risk(*map_, index, rule_.unexplored);
-  price.risk = risk_units(risk);
+  price.risk = risk_units(risk, rule_.unexplored.weight);
   // A diagonal attempt that fails beside unexplored ground teaches little; straight attempts come first.
   const bool suspects = query_ == Query::Feasible;
-  price.side = suspects ? risk_units(std::max(risk, map_->rule().first_risk)) : price.risk;
+  price.side = suspects ? std::max(price.risk, risk_units(map_->rule().first_risk, rule_.risk_weight)) : price.risk;
 }
 
 Price Pricing::operator()(CellIndex index) const noexcept {
@@ -43,7 +43,7 @@ Price Pricing::operator()(CellIndex index) const noexcept {
   if (!known) {
     price_unexplored(index, price);
   } else if (query_ == Query::Feasible) {
-    price.risk = price.side = risk_units(cell->risk);
+    price.risk = price.side = risk_units(cell->risk, rule_.risk_weight);
   }
   return price;
 }

@@ -53,7 +53,7 @@ class Pricing {
 
  private:
   bool open(const Cell& cell) const noexcept;
-  std::uint32_t risk_units(double risk) const noexcept;
+  static std::uint32_t risk_units(double risk, double weight) noexcept;
   void price_unexplored(CellIndex cell, Price& price) const noexcept;
 
   const RiskMap* map_;

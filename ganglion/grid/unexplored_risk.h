@@ -9,6 +9,7 @@ namespace ganglion::grid {
 /// take unexplored ground for free.
 struct UnexploredRule {
   bool inferred = true;       ///< False: as in the papers, no risk at all.
+  double weight = 3;          ///< Cells of detour worth a certainty of 1/e; less makes for curiosity, more for habit.
   double open_risk = 0.1;     ///< Of a cell with nothing known to stand near it.
   double beside_risk = 0.3;   ///< Next to an occupied cell, or in line with at least kWallCells of them.
   double between_risk = 0.8;  ///< Between two occupied cells.
