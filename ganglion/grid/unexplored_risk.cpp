@@ -37,9 +37,9 @@ double risk_along(const RiskMap& map, CellIndex cell, int direction, const Unexp
 }  // namespace
 
 double unexplored_risk(const RiskMap& map, CellIndex cell, const UnexploredRule& rule) noexcept {
-  if (!rule.inferred) return 0;
   const Cell* known = map.find(cell);
-  if (known == nullptr) return rule.open_risk;
+  if (known == nullptr) return rule.inferred ? rule.open_risk : 0;
+  if (!rule.inferred) return known->risk;
   constexpr int kAlongRow = 0, kAlongColumn = 2;
   return std::max({known->risk, risk_along(map, cell, kAlongRow, rule), risk_along(map, cell, kAlongColumn, rule)});
 }

@@ -8,7 +8,7 @@ namespace ganglion::grid {
 /// occupied cell the next one is often occupied too, and between two of them nearly always. Ours throughout; the papers
 /// take unexplored ground for free.
 struct UnexploredRule {
-  bool inferred = true;       ///< False: as in the papers, no risk at all.
+  bool inferred = true;       ///< False: as in the papers, free but for suspicion.
   double weight = 3;          ///< Cells of detour worth a certainty of 1/e; less makes for curiosity, more for habit.
   double open_risk = 0.1;     ///< Of a cell with nothing known to stand near it.
   double beside_risk = 0.3;   ///< Next to an occupied cell, or in line with at least kWallCells of them.

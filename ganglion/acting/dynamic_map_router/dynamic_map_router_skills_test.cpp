@@ -26,13 +26,13 @@ const std::vector<std::string> kTrap = {
     "....................",
 };
 
-/// The way of the last of twelve trips out of the trap; checks that it touches nothing and that trips get better.
+/// The way of the last of twenty trips out of the trap; checks that it touches nothing and that trips get better.
 double last_trip_through_trap(const DynamicMapRouterConfig& config) {
   GridBot bot(kTrap);
   Drive drive(bot, config);
   std::vector<double> lengths;
   std::vector<int> bumps;
-  for (int trip = 0; trip < 12; ++trip) {
+  for (int trip = 0; trip < 20; ++trip) {
     bot.column = 1, bot.row = 5, bot.heading = 0, bot.bumps = 0, bot.length = 0;
     drive.tick();  // carried back to the start
     EXPECT_EQ(drive.go(15, 5), RequestStatus::Satisfied);
