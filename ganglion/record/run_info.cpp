@@ -11,6 +11,8 @@ namespace {
 
 constexpr std::string_view kVersion = "version.";
 constexpr std::string_view kMeasure = "measure.";
+constexpr std::string_view kReasonEs = "reason_es";
+constexpr std::string_view kCriterion = "criterion";
 
 /// Gathers the first thing wrong while fields are taken one by one.
 class FieldTaker {
@@ -79,6 +81,8 @@ mcap::Fields to_fields(const RunInfo& info) {
 mcap::Fields to_fields(const RunOutcome& outcome) {
   mcap::Fields fields = {
       {"digest", outcome.digest}, {"success", outcome.success ? "true" : "false"}, {"reason", outcome.reason}};
+  if (!outcome.reason_es.empty()) fields.emplace_back(kReasonEs, outcome.reason_es);
+  if (!outcome.criterion.empty()) fields.emplace_back(kCriterion, outcome.criterion);
   for (const auto& [name, value] : outcome.measures) fields.emplace_back(std::string(kMeasure) + name, shortest(value));
   return fields;
 }
@@ -105,6 +109,8 @@ Result<RunOutcome> run_outcome_from(const mcap::Fields& fields) {
   outcome.success = taker.truth("success");
   outcome.reason = taker.text("reason");
   for (const auto& [key, value] : fields) {
+    if (key == kReasonEs) outcome.reason_es = value;
+    if (key == kCriterion) outcome.criterion = value;
     if (key.starts_with(kMeasure)) outcome.measures.emplace_back(key.substr(kMeasure.size()), taker.number(key, value));
   }
   return taker.result(std::move(outcome));

@@ -173,9 +173,16 @@ void judge(const Experiment& experiment, RunResult& result) {
   for (const Criterion& criterion : experiment.success) {
     if (criterion.met(result.measures)) continue;
     result.success = false;
-    result.reason +=
-        fmt::format("; not met: {} ({})", criterion.text(), shortest(measure(result.measures, criterion.name)));
+    const std::string missed =
+        fmt::format("{} ({})", criterion.text(), shortest(measure(result.measures, criterion.name)));
+    result.reason += "; not met: " + missed;
+    result.reason_es += "; no se cumple: " + missed;
   }
+}
+
+void ended(RunResult& result, std::string_view english, std::string_view spanish) {
+  result.reason = english;
+  result.reason_es = spanish;
 }
 
 std::size_t concluded_goals(const Course& course) {
@@ -205,7 +212,7 @@ Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
 
   RunResult result;
   result.seed = options.seed;
-  result.reason = "duration over";
+  ended(result, "duration over", "se acabó el tiempo");
   const Pace pace(options.pace);
   const std::uint32_t ticks = ticks_of(prepared);
   std::size_t goals = 0;
@@ -220,11 +227,11 @@ Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
       options.learned(course->controllers().front()->experience());
     }
     if (const std::string stop = measured.stopped(*course); !stop.empty()) {
-      result.reason = "stopped: " + stop;
+      ended(result, "stopped: " + stop, "parada: " + stop);
       break;
     }
     if (options.progress && !options.progress((tick + 1.0) / ticks)) {
-      result.reason = "interrupted";
+      ended(result, "interrupted", "interrumpida");
       break;
     }
     pace.wait_until(time_s);

@@ -29,7 +29,8 @@ struct Contacts {
 struct RunResult {
   std::uint64_t seed = 0;
   bool success = false;
-  std::string reason;  ///< "duration over", and the criteria that were not met.
+  std::string reason;     ///< "duration over", and the criteria that were not met.
+  std::string reason_es;  ///< The same in Spanish.
   std::string digest;
   Contacts contacts;  ///< Of all robots.
   Measures measures;  ///< Of robot 0; with several robots the worst of each is not taken: see docs/manual/run.md.

@@ -47,6 +47,16 @@ expect("${out}" "seed_0001.mcap")
 call(0 plot ${WORK}/runs/seed_0001.mcap --out ${WORK}/pictures)
 expect("${out}" "trajectory.svg")
 
+file(WRITE ${WORK}/alone.json "${alone}")
+call(0 runs compare pairs=${WORK}/alone.json ${WORK}/runs --out ${WORK}/compared.html)
+expect("${out}" "pairs +4 +[0-4] .*runs +2 +[0-2] ")
+file(READ ${WORK}/compared.html page)
+expect("${page}" "progress_ratio")  # a measure of the one
+expect("${page}" "travel_ratio")  # and of the other
+file(WRITE ${WORK}/odd.json "{\"runs\": [{\"success\": true, \"measures\": {\"way_m\": \"far\"}}]}")
+call(2 runs compare ${WORK}/odd.json --out ${WORK}/odd.html)
+expect("${err}" "odd.json: runs.0..measures.way_m is no number")
+
 call(2 run experiments/nimrod --set controller.acting.escpe.trigger_range_m=1)
 expect("${err}" "did you mean \"escape\"")
 call(2 run experiments/nimrod --set run.duration_s=-1)
