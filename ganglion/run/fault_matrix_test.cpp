@@ -76,6 +76,27 @@ TEST(FaultMatrix, CountsWhatEachCriterionOfSuccessSays) {
   EXPECT_EQ((*rows)[1].met[1].second, 0u);
 }
 
+TEST(NimrodWithBothSonarsDead, StandsStillWithinHalfASecond) {
+  const auto way_m = [](std::uint64_t seed, double duration_s) {
+    Prepared prepared = nimrod(duration_s);
+    for (const char* sonar : {"sonar_left", "sonar_right"}) {
+      Fault dead;
+      dead.target = sonar;
+      dead.from_s = 5;
+      prepared.experiment.faults.push_back(dead);
+    }
+    RunOptions options;
+    options.seed = seed;
+    const auto result = run(prepared, options);
+    EXPECT_TRUE(result) << result.error().text();
+    return measure(result->measures, "travelled_m");
+  };
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    EXPECT_GT(way_m(seed, 5), 0.1) << "seed " << seed;
+    EXPECT_NEAR(way_m(seed, 30), way_m(seed, 5.5), 1e-6) << "seed " << seed;
+  }
+}
+
 /// The problems of Nimrod's experiment with this text behind it.
 std::string problems_with(const std::string& text) {
   const fs::path file = kNimrod / "experiment.toml";
