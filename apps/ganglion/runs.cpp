@@ -5,6 +5,8 @@
 #include "ganglion/base/text.h"
 #include "ganglion/record/catalogue.h"
 #include "ganglion/record/csv.h"
+#include "ganglion/record/recover.h"
+#include "ganglion/record/run_file.h"
 #include "ganglion/run/replay.h"
 #include "say.h"
 
@@ -114,6 +116,18 @@ int verify(const Arguments& arguments) {
   return worst;
 }
 
+int recover(const Arguments& arguments) {
+  const auto saved = recover_run(arguments.file, arguments.out);
+  if (!saved) {
+    complain(saved.error());
+    return saved.error().place.file == arguments.out ? kOutputFailed : kBadInput;
+  }
+  for (const std::string& damage : saved->damages) fmt::print("damaged: {}\n", damage);
+  fmt::print("saved {} chunks, {} messages, {:.1f} s of the run{}\nwrote {}\n", saved->chunks, saved->messages,
+             saved->until_s, saved->finished ? ", its outcome" : "; its outcome is lost", arguments.out);
+  return kDone;
+}
+
 }  // namespace
 
 void add_runs(CLI::App& program, int& code) {
@@ -137,6 +151,10 @@ void add_runs(CLI::App& program, int& code) {
   signal->add_option("file", arguments->file, "Run file (.mcap)")->required();
   signal->add_option("--out", arguments->out, "Folder to write to")->required();
   signal->callback([arguments, &code] { code = signals(*arguments); });
+  CLI::App* recovered = command->add_subcommand("recover", "Make a whole run file of what is left of a cut one");
+  recovered->add_option("file", arguments->file, "Run file (.mcap), which is only read")->required();
+  recovered->add_option("--out", arguments->out, "File to write")->required();
+  recovered->callback([arguments, &code] { code = recover(*arguments); });
   CLI::App* verified = command->add_subcommand("verify", "Check every checksum of run files");
   verified->add_option("files", arguments->files, "Run files (.mcap)")->required();
   verified->callback([arguments, &code] { code = verify(*arguments); });

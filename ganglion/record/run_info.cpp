@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::string_view kVersion = "version.";
 constexpr std::string_view kMeasure = "measure.";
+constexpr std::string_view kDigest = "digest.";
 
 /// Gathers the first thing wrong while fields are taken one by one.
 class FieldTaker {
@@ -80,6 +81,7 @@ mcap::Fields to_fields(const RunOutcome& outcome) {
   mcap::Fields fields = {
       {"digest", outcome.digest}, {"success", outcome.success ? "true" : "false"}, {"reason", outcome.reason}};
   for (const auto& [name, value] : outcome.measures) fields.emplace_back(std::string(kMeasure) + name, shortest(value));
+  for (const auto& [name, digest] : outcome.component_digests) fields.emplace_back(std::string(kDigest) + name, digest);
   return fields;
 }
 
@@ -106,6 +108,7 @@ Result<RunOutcome> run_outcome_from(const mcap::Fields& fields) {
   outcome.reason = taker.text("reason");
   for (const auto& [key, value] : fields) {
     if (key.starts_with(kMeasure)) outcome.measures.emplace_back(key.substr(kMeasure.size()), taker.number(key, value));
+    if (key.starts_with(kDigest)) outcome.component_digests.emplace_back(key.substr(kDigest.size()), value);
   }
   return taker.result(std::move(outcome));
 }

@@ -82,6 +82,18 @@ class Course {
     for (const auto& controller : controllers_) sum += controller->digest().total();
     return hex(sum);
   }
+  std::vector<std::pair<std::string, std::string>> component_digests() const {
+    std::vector<std::pair<std::string, std::string>> result;
+    const auto tell = [&result](const Digest& digest) {
+      for (const Digest::OfComponent& one : digest.components()) {
+        if (one.robot >= kDigestedRobots) continue;
+        result.emplace_back(fmt::format("robot{}/{}", one.robot, one.component), hex(one.value));
+      }
+    };
+    tell(truth_);
+    for (const auto& controller : controllers_) tell(controller->digest());
+    return result;
+  }
 
  private:
   double step_s_;
@@ -236,6 +248,7 @@ Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
     result.contacts.fastest_mps = std::max(result.contacts.fastest_mps, truth.fastest_contact_mps);
   }
   result.digest = course->digest();
+  result.component_digests = course->component_digests();
   result.experience = course->controllers().front()->experience();
   judge(prepared.experiment, result);
   if (options.learned) options.learned(result.experience);

@@ -31,6 +31,8 @@ struct RunResult {
   bool success = false;
   std::string reason;  ///< "duration over", and the criteria that were not met.
   std::string digest;
+  /// Of each component alone, "robot0/escape", and of each robot's way, "robot0/@truth"; of the first kDigestedRobots.
+  std::vector<std::pair<std::string, std::string>> component_digests;
   Contacts contacts;  ///< Of all robots.
   Measures measures;  ///< Of robot 0; with several robots the worst of each is not taken: see docs/manual/run.md.
   std::vector<std::string> files;
@@ -40,6 +42,9 @@ struct RunResult {
 /// Carries out one run. Fails where a component refuses its parameters, the robot finds no place, or the file cannot be
 /// written. The result depends on the experiment, the experience and the seed only.
 Result<RunResult> run(const Prepared& prepared, const RunOptions& options);
+
+/// Robots whose components' digests a run tells one by one: enough to compare by, and no burden on a swarm's run file.
+inline constexpr std::uint32_t kDigestedRobots = 100;
 
 /// Name of the experience a run started from, among the attachments of its file.
 inline constexpr std::string_view kExperienceAttachment = "experience";
