@@ -4,6 +4,7 @@
 #include "ganglion/base/file.h"
 #include "ganglion/base/text.h"
 #include "ganglion/record/catalogue.h"
+#include "ganglion/record/compare_components.h"
 #include "ganglion/record/csv.h"
 #include "ganglion/record/recover.h"
 #include "ganglion/record/run_file.h"
@@ -118,14 +119,33 @@ int verify(const Arguments& arguments) {
 
 int recover(const Arguments& arguments) {
   const auto saved = recover_run(arguments.file, arguments.out);
-  if (!saved) {
-    complain(saved.error());
-    return saved.error().place.file == arguments.out ? kOutputFailed : kBadInput;
-  }
+  if (!saved) return complain(saved.error());
   for (const std::string& damage : saved->damages) fmt::print("damaged: {}\n", damage);
   fmt::print("saved {} chunks, {} messages, {:.1f} s of the run{}\nwrote {}\n", saved->chunks, saved->messages,
              saved->until_s, saved->finished ? ", its outcome" : "; its outcome is lost", arguments.out);
   return kDone;
+}
+
+/// Whether what two runs have in common went the same way in both.
+int compare(const Arguments& arguments) {
+  std::vector<RunOutcome> outcomes;
+  for (const std::string& file : arguments.files) {
+    auto run = RunFile::read_summary(file);
+    if (!run) return complain(run.error());
+    if (!run->outcome) return complain(Error{ErrorCode::Corrupt, "was cut before its outcome", {file}});
+    outcomes.push_back(std::move(*run->outcome));
+  }
+  const DigestComparison found = compare_components(outcomes[0], outcomes[1]);
+  const auto say = [](std::string_view what, const std::vector<std::string>& names) {
+    for (const std::string& name : names) fmt::print("{} {}\n", what, name);
+  };
+  say("same     ", found.same);
+  say("differs  ", found.different);
+  say("only in 1", found.only_first);
+  say("only in 2", found.only_second);
+  fmt::print("{} the same, {} different, {} in one run only\n", found.same.size(), found.different.size(),
+             found.only_first.size() + found.only_second.size());
+  return found.different.empty() ? kDone : kRobotFailed;
 }
 
 }  // namespace
@@ -155,6 +175,10 @@ void add_runs(CLI::App& program, int& code) {
   recovered->add_option("file", arguments->file, "Run file (.mcap), which is only read")->required();
   recovered->add_option("--out", arguments->out, "File to write")->required();
   recovered->callback([arguments, &code] { code = recover(*arguments); });
+  CLI::App* compared =
+      command->add_subcommand("compare", "Which components of two runs had the same signals, to the bit");
+  compared->add_option("files", arguments->files, "Two run files (.mcap)")->required()->expected(2);
+  compared->callback([arguments, &code] { code = compare(*arguments); });
   CLI::App* verified = command->add_subcommand("verify", "Check every checksum of run files");
   verified->add_option("files", arguments->files, "Run files (.mcap)")->required();
   verified->callback([arguments, &code] { code = verify(*arguments); });

@@ -28,7 +28,7 @@ inline constexpr std::string_view kRecoveredMetadata = "ganglion.recovered";
 /// record whose bytes and checksum are there. Channels and schemas may get other numbers. `from` is only read.
 ///
 /// Fails with what read_mcap() fails with; with Unsupported where not even the description of a run is left; with
-/// BadParameter where both names mean one file; with Unreadable or TooLarge where `to` cannot be written, and then
+/// BadParameter where both names mean one file; with Unwritable or TooLarge where `to` cannot be written, and then
 /// leaves no `to`.
 Result<Recovery> recover_run(const std::filesystem::path& from, const std::filesystem::path& to,
                              McapWriterOptions options = {});

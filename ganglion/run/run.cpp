@@ -136,6 +136,7 @@ Result<std::vector<FreeGround>> drive_free_ground(const Prepared& prepared, cons
       const double along_m = way.dot(direction(starts[i].yaw.rad()));
       progress[i].push_back(std::max(along_m, tick > 0 ? progress[i].back() : 0));
     }
+    if (options.progress && !options.progress(0)) break;  // the run itself will see it too
   }
   return progress;
 }
@@ -181,7 +182,7 @@ class Judge {
 };
 
 void judge(const Experiment& experiment, RunResult& result) {
-  result.success = true;
+  result.success = result.reason != kInterrupted;
   for (const Criterion& criterion : experiment.success) {
     if (criterion.met(result.measures)) continue;
     result.success = false;
@@ -236,7 +237,7 @@ Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
       break;
     }
     if (options.progress && !options.progress((tick + 1.0) / ticks)) {
-      result.reason = "interrupted";
+      result.reason = kInterrupted;
       break;
     }
     pace.wait_until(time_s);
@@ -252,7 +253,7 @@ Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
   result.experience = course->controllers().front()->experience();
   judge(prepared.experiment, result);
   if (options.learned) options.learned(result.experience);
-  if (auto finished = recording->finish(result); !finished) return tl::unexpected<Error>(finished.error());
+  if (auto finished = recording->finish(result); !finished) result.record_error = finished.error();
   return result;
 }
 
