@@ -10,6 +10,7 @@
 #include "ganglion/record/run_file.h"
 #include "ganglion/report/report.h"
 #include "ganglion/run/batch.h"
+#include "ganglion/run/fault_matrix.h"
 #include "ganglion/run/recording.h"
 #include "interrupt.h"
 #include "results_json.h"
@@ -26,6 +27,7 @@ struct RunArguments {
   std::uint64_t seed = 0;
   bool has_seed = false;
   std::string seeds;
+  std::string faults;
   std::string pace = "max";
   std::string out;
   std::string experience;
@@ -56,6 +58,8 @@ Result<double> pace_of(const std::string& text) {
   if (factor && *factor > 0 && std::isfinite(*factor)) return *factor;
   return fail(ErrorCode::BadParameter, "--pace {}: write max, or a multiple of real time such as 1x or 0.5x", text);
 }
+
+constexpr std::uint64_t kFaultSeeds = 20;  // of --faults without --seeds
 
 struct SeedRange {
   std::uint64_t first, last;
@@ -152,6 +156,26 @@ int run_many(const Prepared& prepared, const RunArguments& arguments, const Seed
   return std::max(code, print(arguments, *results));
 }
 
+/// Every fault, one after the other, each over all seeds.
+int run_faults(const Prepared& prepared, const RunArguments& arguments, const SeedRange& seeds,
+               std::vector<ModuleExperience> experience) {
+  BatchOptions options;
+  options.first_seed = seeds.first;
+  options.last_seed = seeds.last;
+  options.threads = arguments.threads;
+  options.experience = std::move(experience);
+  ProgressLine line(!arguments.json);
+  options.progress = [&](std::size_t done, std::size_t all) {
+    line.show(static_cast<double>(done) / static_cast<double>(all), fmt::format("{} of {} runs", done, all));
+    return !interrupted();
+  };
+  options.stop = interrupted;
+  const auto rows = run_fault_matrix(prepared, options, arguments.faults == "pairs");
+  if (!rows) return complain(rows.error());
+  const std::string text = arguments.json ? faults_json(*rows) : faults_table(*rows);
+  return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() ? kDone : kOutputFailed;
+}
+
 /// The report of a run, beside its file. Returns an exit code.
 int report(const RunArguments& arguments, RunResult& result) {
   const auto file = RunFile::read(result.files.front());
@@ -208,8 +232,9 @@ int run_one(const Prepared& prepared, const RunArguments& arguments, double pace
   const double start_s = wall_s();
   options.progress = [&](double share) {
     line.show(share, fmt::format("{:.0f}x real time", share * prepared.experiment.duration_s / (wall_s() - start_s)));
-    return !interrupted();
+    return true;
   };
+  options.stop = interrupted;
   auto result = run(prepared, options);
   if (!result) return complain(result.error());
   const int written = keep(prepared, arguments, *result, keeper.get());
@@ -240,6 +265,9 @@ int run_command(const RunArguments& arguments) {
   auto experience = load_experience(arguments.experience);
   if (!experience) return complain(experience.error());
   catch_interrupts();
+  if (!arguments.faults.empty()) {
+    return run_faults(*prepared, arguments, seeds.value_or(SeedRange{1, kFaultSeeds}), std::move(*experience));
+  }
   if (seeds) return run_many(*prepared, arguments, *seeds, std::move(*experience));
   return run_one(*prepared, arguments, *pace, std::move(*experience));
 }
@@ -254,6 +282,11 @@ void add_run(CLI::App& program, int& code) {
       ->allow_extra_args(false);
   auto* seed = command->add_option("--seed", arguments->seed, "Seed of the run; default: the experiment's");
   command->add_option("--seeds", arguments->seeds, "A..B: every seed of the range, in parallel")->excludes(seed);
+  command
+      ->add_option("--faults", arguments->faults,
+                   "matrix: every single fault over the seeds (default 1..20), as a table; pairs: every two as well")
+      ->check(CLI::IsMember({"matrix", "pairs"}))
+      ->excludes(seed);
   command->add_option("--threads", arguments->threads, "Threads for --seeds; default: one for each processor")
       ->check(CLI::Range(1, 256));
   command->add_option("--pace", arguments->pace, "max, or a multiple of real time: 1x, 0.5x, 20x");
@@ -268,6 +301,7 @@ void add_run(CLI::App& program, int& code) {
       "  ganglion run experiments/nimrod --seed 7 --pace 1x\n"
       "  ganglion run experiments/nimrod --set controller=experiments/nimrod/controller.listing.toml\n"
       "  ganglion run experiments/nimrod --set controller.acting.escape.trigger_range_m=0.15 --seeds 1..20\n"
+      "  ganglion run experiments/nimrod --faults matrix --seeds 1..100\n"
       "Exit codes: 0 the robot succeeded (with --seeds: all runs were carried out), 1 it failed, 2 bad input.");
   command->callback([arguments, seed, &code] {
     arguments->has_seed = seed->count() > 0;
