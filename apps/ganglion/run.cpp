@@ -123,7 +123,8 @@ void catalogue(const fs::path& folder, const std::vector<RunResult>& results, co
 
 int print(const RunArguments& arguments, const std::vector<RunResult>& results) {
   const std::string text = arguments.json ? results_json(results) : results_table(results);
-  return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() ? kDone : kOutputFailed;
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+  return written ? kDone : kOutputFailed;
 }
 
 int run_many(const Prepared& prepared, const RunArguments& arguments, const SeedRange& seeds,
@@ -140,12 +141,19 @@ int run_many(const Prepared& prepared, const RunArguments& arguments, const Seed
   options.progress = [&](std::size_t done, std::size_t all) {
     line.show(static_cast<double>(done) / static_cast<double>(all),
               fmt::format("{} of {} runs, {:.1f} runs/s", done, all, static_cast<double>(done) / (wall_s() - start_s)));
-    return !interrupted();
+    return true;
   };
+  options.stop = interrupted;
   const auto results = run_batch(prepared, options);
   if (!results) return complain(results.error());
+  int code = kDone;
+  for (const RunResult& result : *results) {
+    if (!result.record_error) continue;
+    complain(*result.record_error);
+    code = kOutputFailed;
+  }
   if (!arguments.no_record) catalogue(folder, *results, prepared);
-  return print(arguments, *results);
+  return std::max(code, print(arguments, *results));
 }
 
 /// Every fault, one after the other, each over all seeds.
@@ -161,18 +169,19 @@ int run_faults(const Prepared& prepared, const RunArguments& arguments, const Se
     line.show(static_cast<double>(done) / static_cast<double>(all), fmt::format("{} of {} runs", done, all));
     return !interrupted();
   };
+  options.stop = interrupted;
   const auto rows = run_fault_matrix(prepared, options, arguments.faults == "pairs");
   if (!rows) return complain(rows.error());
   const std::string text = arguments.json ? faults_json(*rows) : faults_table(*rows);
   return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() ? kDone : kOutputFailed;
 }
 
-/// The report of a run, beside its file.
-void report(const RunArguments& arguments, RunResult& result) {
+/// The report of a run, beside its file. Returns an exit code.
+int report(const RunArguments& arguments, RunResult& result) {
   const auto file = RunFile::read(result.files.front());
   if (!file) {
     complain(file.error());
-    return;
+    return kOutputFailed;  // it was written a moment ago
   }
   fs::path page = result.files.front();
   page.replace_extension(".html");
@@ -180,10 +189,29 @@ void report(const RunArguments& arguments, RunResult& result) {
   if (auto written = report::write_report(
           view, page, {arguments.language == "es" ? plot::Language::Spanish : plot::Language::English});
       !written) {
-    complain(written.error());
-    return;
+    return complain(written.error());
   }
   result.files.push_back(page.string());
+  return kDone;
+}
+
+/// What a run leaves on the disk besides its file. Returns an exit code.
+int keep(const Prepared& prepared, const RunArguments& arguments, RunResult& result, ExperienceWriter* keeper) {
+  int code = kDone;
+  if (result.record_error) {
+    complain(*result.record_error);
+    code = kOutputFailed;
+  }
+  if (keeper != nullptr) {
+    if (auto kept = keeper->flush(); !kept) {
+      complain(kept.error());
+      code = kOutputFailed;
+    }
+  }
+  if (arguments.no_record || code != kDone) return code;
+  if (!arguments.no_report) code = report(arguments, result);
+  catalogue(output_folder(arguments), {result}, prepared);
+  return code;
 }
 
 int run_one(const Prepared& prepared, const RunArguments& arguments, double pace,
@@ -204,21 +232,17 @@ int run_one(const Prepared& prepared, const RunArguments& arguments, double pace
   const double start_s = wall_s();
   options.progress = [&](double share) {
     line.show(share, fmt::format("{:.0f}x real time", share * prepared.experiment.duration_s / (wall_s() - start_s)));
-    return !interrupted();
+    return true;
   };
+  options.stop = interrupted;
   auto result = run(prepared, options);
   if (!result) return complain(result.error());
-  if (keeper) {
-    if (auto kept = keeper->flush(); !kept) complain(kept.error());
-  }
-  if (!arguments.no_record) {
-    if (!arguments.no_report) report(arguments, *result);
-    catalogue(output_folder(arguments), {*result}, prepared);
-  }
+  const int written = keep(prepared, arguments, *result, keeper.get());
   if (print(arguments, {*result}) != kDone) return kOutputFailed;
   if (!arguments.json) {
     for (const std::string& file : result->files) fmt::print("wrote {}\n", file);
   }
+  if (written != kDone) return written;
   return result->success ? kDone : kRobotFailed;
 }
 

@@ -87,6 +87,18 @@ class Course {
     for (const auto& controller : controllers_) sum += controller->digest().total();
     return hex(sum);
   }
+  std::vector<std::pair<std::string, std::string>> component_digests() const {
+    std::vector<std::pair<std::string, std::string>> result;
+    const auto tell = [&result](const Digest& digest) {
+      for (const Digest::OfComponent& one : digest.components()) {
+        if (one.robot >= kDigestedRobots) continue;
+        result.emplace_back(fmt::format("robot{}/{}", one.robot, one.component), hex(one.value));
+      }
+    };
+    tell(truth_);
+    for (const auto& controller : controllers_) tell(controller->digest());
+    return result;
+  }
 
  private:
   double step_s_;
@@ -134,6 +146,7 @@ Result<std::vector<FreeGround>> drive_free_ground(const Prepared& prepared, cons
       const double along_m = way.dot(direction(starts[i].yaw.rad()));
       progress[i].push_back(std::max(along_m, tick > 0 ? progress[i].back() : 0));
     }
+    if (options.stop && options.stop()) break;  // the run itself will see it too
   }
   return progress;
 }
@@ -179,7 +192,7 @@ class Judge {
 };
 
 void judge(const Experiment& experiment, RunResult& result) {
-  result.success = true;
+  result.success = result.reason != kInterrupted;
   for (const Criterion& criterion : experiment.success) {
     if (criterion.met(result.measures)) continue;
     result.success = false;
@@ -240,8 +253,9 @@ Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
       ended(result, "stopped: " + stop, "parada: " + stop);
       break;
     }
-    if (options.progress && !options.progress((tick + 1.0) / ticks)) {
-      ended(result, "interrupted", "interrumpida");
+    const bool wanted = !options.progress || options.progress((tick + 1.0) / ticks);
+    if (!wanted || (options.stop && options.stop())) {
+      ended(result, kInterrupted, "interrumpida");
       break;
     }
     pace.wait_until(time_s);
@@ -253,10 +267,11 @@ Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
     result.contacts.fastest_mps = std::max(result.contacts.fastest_mps, truth.fastest_contact_mps);
   }
   result.digest = course->digest();
+  result.component_digests = course->component_digests();
   result.experience = course->controllers().front()->experience();
   judge(prepared.experiment, result);
   if (options.learned) options.learned(result.experience);
-  if (auto finished = recording->finish(result); !finished) return tl::unexpected<Error>(finished.error());
+  if (auto finished = recording->finish(result); !finished) result.record_error = finished.error();
   return result;
 }
 
