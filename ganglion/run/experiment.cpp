@@ -1,6 +1,8 @@
 #include "ganglion/run/experiment.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "ganglion/base/file.h"
 #include "ganglion/base/text.h"
@@ -39,12 +41,11 @@ void sort_out(const std::vector<Override>& overrides, Experiment& experiment, st
 SpawnChoice read_spawn(Table table) {
   SpawnChoice spawn;
   spawn.id = table.text("id", "");
-  if (table.has("pose")) {
-    const std::vector<double> pose = table.numbers("pose", {0, 0, 0}, 3);
-    spawn.pose = Pose2{{pose[0], pose[1]}, Angle::from_deg(pose[2])};
-  }
+  const std::vector<double> pose = table.numbers("pose", {}, 3);
+  if (!pose.empty()) spawn.pose = Pose2{{pose[0], pose[1]}, Angle::from_deg(pose[2])};
   spawn.clearance_m = table.number("clearance_m", spawn.clearance_m, config::Range{0, 100});
-  if (table.has("yaw_deg")) spawn.yaw = Angle::from_deg(table.number("yaw_deg", 0));
+  const double yaw_deg = table.number("yaw_deg", std::numeric_limits<double>::quiet_NaN());
+  if (!std::isnan(yaw_deg)) spawn.yaw = Angle::from_deg(yaw_deg);
   if (spawn.pose && !spawn.id.empty()) table.problem("id", ErrorCode::BadParameter, "give either a pose or an id");
   return spawn;
 }
@@ -83,7 +84,30 @@ void read_run(Table run, Experiment& experiment) {
   experiment.stop = read_criteria(run, "stop");
 }
 
+/// The file itself; `table` is its root.
+void read_table(Table table, Experiment& experiment, const ExperimentFiles& instead) {
+  config::check_format(table);
+  experiment.name = table.text("name", experiment.files.experiment.parent_path().filename().string());
+  experiment.files.controller = read_file_name(table, "controller", instead.controller);
+  if (!table.has("controller") && instead.controller.empty()) table.text("controller");  // reports it missing
+  experiment.success = read_criteria(table, "success");
+  read_application(table.table("application"), experiment, instead);
+  read_run(table.table("run"), experiment);
+}
+
 }  // namespace
+
+Experiment parse_experiment(std::string_view text, const std::string& file_name, Problems& problems,
+                            config::Outline* outline) {
+  Experiment experiment;
+  experiment.files.experiment = file_name;
+  if (const auto root = config::parse(text, file_name)) {
+    read_table(Table(*root, "", problems, outline), experiment, {});
+  } else {
+    problems.add(root.error());
+  }
+  return experiment;
+}
 
 Experiment read_experiment(const std::filesystem::path& given, const std::vector<Override>& overrides,
                            Problems& problems, const ExperimentFiles& instead) {
@@ -101,14 +125,7 @@ Experiment read_experiment(const std::filesystem::path& given, const std::vector
   for (const Override& override : own) {
     if (auto applied = config::apply(*root, override); !applied) problems.add(applied.error());
   }
-  Table table(*root, "", problems);
-  config::check_format(table);
-  experiment.name = table.text("name", experiment.files.experiment.parent_path().filename().string());
-  experiment.files.controller = read_file_name(table, "controller", instead.controller);
-  if (!table.has("controller") && instead.controller.empty()) table.text("controller");  // reports it missing
-  experiment.success = read_criteria(table, "success");
-  read_application(table.table("application"), experiment, instead);
-  read_run(table.table("run"), experiment);
+  read_table(Table(*root, "", problems), experiment, instead);
   return experiment;
 }
 
