@@ -111,7 +111,7 @@ Json preset_json(const Asked& asked) {
   return {};
 }
 
-Json key_schema(const std::vector<const Asked*>& samples) {
+Json same_form_schema(const std::vector<const Asked*>& samples) {
   const Asked asked = common(samples);
   if (asked.parameter != nullptr) return parameter_schema(*asked.parameter);
   if (asked.form == Form::Table || asked.form == Form::Tables) {
@@ -123,6 +123,24 @@ Json key_schema(const std::vector<const Asked*>& samples) {
   }
   Json json = type_schema(asked);
   if (Json preset = preset_json(asked); !preset.is_null()) json["default"] = std::move(preset);
+  return json;
+}
+
+/// Where it may be written in several forms, a number or a list of them, it is any of these.
+Json key_schema(const std::vector<const Asked*>& samples) {
+  std::vector<std::vector<const Asked*>> forms;
+  for (const Asked* sample : samples) {
+    const auto same = [&](const auto& form) { return form.front()->form == sample->form; };
+    const auto form = std::find_if(forms.begin(), forms.end(), same);
+    if (form == forms.end()) {
+      forms.push_back({sample});
+    } else {
+      form->push_back(sample);
+    }
+  }
+  if (forms.size() == 1) return same_form_schema(samples);
+  Json json = {{"anyOf", Json::array()}};
+  for (const auto& form : forms) json["anyOf"].push_back(same_form_schema(form));
   return json;
 }
 

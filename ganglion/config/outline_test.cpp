@@ -95,6 +95,17 @@ TEST(Outline, LeavesOpenWhatSamplesSayDifferently) {
   EXPECT_EQ(schema["properties"]["x"], Json::parse(R"({"type": "number", "minimum": 0.0})"));
 }
 
+TEST(Outline, TakesAKeyInAnyOfTheFormsItMayHave) {
+  std::list<Outline> samples(2);
+  samples.front().ask("from_s", {.form = Asked::Form::Number, .preset = 0.0});
+  samples.back().ask("from_s", {.form = Asked::Form::Numbers, .least = 2, .most = 2});
+  const Json schema = Json::parse(schema_text("Sample", samples));
+  EXPECT_TRUE(schema_accepts(schema, "from_s = 1"));
+  EXPECT_TRUE(schema_accepts(schema, "from_s = [1, 2]"));
+  EXPECT_FALSE(schema_accepts(schema, "from_s = [1]"));
+  EXPECT_FALSE(schema_accepts(schema, "from_s = \"1\""));
+}
+
 TEST(Outline, TellsWhatASampleLacks) {
   std::list<Outline> samples(1);
   Problems problems;

@@ -4,11 +4,26 @@
 #include "ganglion/run/experiment.h"
 
 namespace ganglion {
+namespace {
+
+/// A fault begins at a time or within a range of times. There is no controller, by which the key is known as required.
+constexpr std::string_view kSample = R"(format = 1
+[[fault]]
+target = "a"
+kind = "dead"
+from_s = 1
+[[fault]]
+target = "b"
+kind = "dead"
+from_s = [1, 2]
+)";
+
+}  // namespace
 
 std::list<config::Outline> experiment_outlines() {
   std::list<config::Outline> samples;
-  Problems problems;  // that the sample names no controller, by which the key is known to be required
-  parse_experiment("format = 1\n", "sample", problems, &samples.emplace_back());
+  Problems problems;  // of the missing controller
+  parse_experiment(kSample, "sample", problems, &samples.emplace_back());
   return samples;
 }
 

@@ -92,12 +92,15 @@ TEST(Schemas, RefuseSlipsInExperiments) {
                {"nam = \"x\"", "name = 3", "success = [1]", "[run]\nduration_s = 0", "[run]\nduration_s = \"60\"",
                 "[run]\nseed = 1.5", "[run]\nseed = -1", "[run]\nfree_ground = 1", "[application]\nrobots = 0",
                 "[application]\nrobot = 1", "[application.spawn]\nclearance_m = -1",
-                "[application.spawn]\npose = [1, 2]", "[application.spawn]\nyaw = 1", "[stop]"});
+                "[application.spawn]\npose = [1, 2]", "[[fault]]\nkind = \"dead\"", "[[fault]]\ntarget = \"a\"",
+                "[[fault]]\ntarget = \"a\"\nkind = \"ded\"", "[[fault]]\ntarget = \"a\"\nkind = \"dead\"\nfrom_s = [1]",
+                "[[fault]]\ntarget = \"a\"\nkind = \"dead\"\nfrom_s = -1", "[application.spawn]\nyaw = 1", "[stop]"});
   expect_verdict("experiment", "format = 1\n", false);
   expect_verdict("experiment", "controller = \"controller.toml\"\n", false);
   expect_verdict("experiment",
                  "format = 1\ncontroller = \"controller.toml\"\nsuccess = \"contacts <= 3\"\n[application.spawn]\n"
-                 "pose = [1, 2, 90]\nyaw_deg = 400\n[run]\nstop = [\"contacts > 3\"]\n",
+                 "pose = [1, 2, 90]\nyaw_deg = 400\n[run]\nstop = [\"contacts > 3\"]\n"
+                 "[[fault]]\ntarget = \"a\"\nkind = \"dead\"\nfrom_s = [1, 2]\nto_s = 3\n",
                  true);
 }
 
