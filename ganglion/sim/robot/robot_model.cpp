@@ -19,7 +19,10 @@ const Kind<Product>* find_kind(Table& table, std::span<const Kind<Product>* cons
   const std::string name = table.text("kind");
   std::vector<std::string> names;
   for (const auto* kind : kinds) {
-    if (!name.empty() && (kind->descriptor.name == name || kind->descriptor.paper_name == name)) return kind;
+    if (!name.empty() && (kind->descriptor.name == name || kind->descriptor.paper_name == name)) {
+      table.is_of(kind->descriptor);
+      return kind;
+    }
     names.emplace_back(kind->descriptor.name);
   }
   if (table.has("kind") && !name.empty()) {
@@ -134,11 +137,12 @@ void read_simulated(Table& root, const SimKinds& kinds, RobotModel& model) {
   each_table(root, "sensor", [&](Table& table) { read_sensor(table, kinds, ids, model); });
 }
 
-std::shared_ptr<const RobotModel> read_robot(const config::Value& value, const SimKinds& kinds, Problems& problems) {
+std::shared_ptr<const RobotModel> read_robot(const config::Value& value, const SimKinds& kinds, Problems& problems,
+                                             config::Outline* outline) {
   const std::size_t before = problems.size();
   auto model = std::make_shared<RobotModel>();
   {
-    Table root(value, "", problems);
+    Table root(value, "", problems, outline);
     check_format(root);
     model->description.name = root.text("name");
     model->description.tick_s = root.number("tick_s", 0.1, Range{1e-3, 60});
@@ -167,18 +171,18 @@ std::shared_ptr<const RobotModel> load_robot(const std::filesystem::path& path, 
     const auto applied = config::apply(*value, override);
     if (!applied) problems.add(applied.error());
   }
-  auto model = read_robot(*value, kinds, problems);
+  auto model = read_robot(*value, kinds, problems, nullptr);
   return problems.size() == before ? model : nullptr;
 }
 
 std::shared_ptr<const RobotModel> parse_robot(std::string_view text, const std::string& file_name,
-                                              const SimKinds& kinds, Problems& problems) {
+                                              const SimKinds& kinds, Problems& problems, config::Outline* outline) {
   const auto value = config::parse(text, file_name);
   if (!value) {
     problems.add(value.error());
     return nullptr;
   }
-  return read_robot(*value, kinds, problems);
+  return read_robot(*value, kinds, problems, outline);
 }
 
 std::optional<RobotDescription> load_description(const std::filesystem::path& path, const SimKinds& kinds,

@@ -162,7 +162,6 @@ void read_spawns(config::Table& root, Ids& ids, GroundPlan& plan) {
 }
 
 void read_area(config::Table& root, GroundPlan& plan) {
-  if (!root.has("area")) return;
   const auto area = root.numbers("area", {}, 4, kCoordinate);
   if (area.size() != 4) return;
   if (!(area[0] < area[2] && area[1] < area[3])) {
@@ -182,9 +181,9 @@ void read_map(config::Table& root, GroundPlan& plan, Problems& problems) {
   }
 }
 
-GroundPlan read_plan(const config::Value& value, Problems& problems) {
+GroundPlan read_plan(const config::Value& value, Problems& problems, config::Outline* outline) {
   GroundPlan plan;
-  config::Table root(value, "", problems);
+  config::Table root(value, "", problems, outline);
   check_format(root);
   plan.place = {value.place().file};
   plan.name = root.text("name", "");
@@ -223,12 +222,13 @@ GroundPlan load_plan(const std::filesystem::path& path, std::span<const config::
   for (const config::Override& override : overrides) {
     if (auto applied = config::apply(*value, override); !applied) problems.add(applied.error());
   }
-  return read_plan(*value, problems);
+  return read_plan(*value, problems, nullptr);
 }
 
-GroundPlan parse_plan(std::string_view text, const std::string& file_name, Problems& problems) {
+GroundPlan parse_plan(std::string_view text, const std::string& file_name, Problems& problems,
+                      config::Outline* outline) {
   const auto value = config::parse(text, file_name);
-  if (value) return read_plan(*value, problems);
+  if (value) return read_plan(*value, problems, outline);
   problems.add(value.error());
   return {};
 }
