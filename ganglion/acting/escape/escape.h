@@ -34,8 +34,8 @@ struct EscapeConfig {
 /// Source    Alonso, "Desarrollo de un robot con arquitectura de subsuncion (robot Nimrod)", section 3 and subroutine
 ///           ESCAPE of section 5: back 2.0 s, then clockwise 0.8 s at 1/6 (the text says 1.5 s).
 /// Differs   recommended turns towards the wired side, or else the freer one (ours), clockwise where there is none, for
-///           1.5 s and faster; when stuck, by 180 deg: measured where heading is wired, else by half_turn_s. listing takes a dead sonar for one that
-///           reads 0 m, and so escapes for ever.
+///           1.5 s and faster; when stuck, by 180 deg: measured where heading is wired, else by half_turn_s. listing
+///           takes a dead sonar for one that reads 0 m, and so escapes for ever.
 class Escape final : public ActingModule {
  public:
   enum class Phase { Idle = 0, Back = 1, Turn = 2, HalfTurn = 3 };

@@ -48,7 +48,7 @@ Command HoldHeading::recommended(const Feedback& feedback) noexcept {
   if (pending_) hold(heading_rad, feedback.tick);
   if (now_s < settled_s_) held_rad_ = heading_rad;
   const bool held = now_s < held_until_s_ - kInstant_s;
-  const double target_rad = held ? held_rad_ : course_rad_;
+  const double target_rad = held ? held_target_rad(now_s) : course_rad_;
   const double error_rad = wrap_rad(target_rad - heading_rad);
   const bool stands = share == 0 || std::isnan(course_rad_);
   publish(target_rad, error_rad, held, share == 0);
@@ -63,8 +63,17 @@ void HoldHeading::hold(double heading_rad, const Tick& tick) noexcept {
   struggle_s_ += tick.step_s;
   const double longest_s = std::max(config_.hold_s, config_.max_hold_s);
   held_rad_ = heading_rad;
+  held_from_s_ = tick.time_s;
   held_until_s_ = tick.time_s + std::clamp(config_.hold_growth * struggle_s_, config_.hold_s, longest_s);
   settled_s_ = tick.time_s + config_.settle_s;
+}
+
+/// What is held beyond hold_s goes back to the course little by little, so that the robot feels its way round.
+double HoldHeading::held_target_rad(double now_s) const noexcept {
+  const double sure_s = held_from_s_ + config_.hold_s;
+  if (now_s <= sure_s || std::isnan(course_rad_)) return held_rad_;
+  const double gone = (now_s - sure_s) / (held_until_s_ - sure_s);  // held: the end lies after now
+  return wrap_rad(held_rad_ + config_.hold_return * gone * wrap_rad(course_rad_ - held_rad_));
 }
 
 Command HoldHeading::without_heading(const Feedback& feedback, double share) const noexcept {

@@ -19,6 +19,7 @@ struct HoldHeadingConfig {
   double settle_s = 1.5;
   double hold_growth = 2.0;
   double max_hold_s = 48;
+  double hold_return = 0;
   double calm_s = 5.0;
   double agreement_deg = 5;
   double patience_s = 0.5;
@@ -73,6 +74,7 @@ class HoldHeading final : public ActingModule {
   bool new_reading(const Feedback& feedback) noexcept;
   void hold(double heading_rad, const Tick& tick) noexcept;
   void find_course(const Feedback& feedback, double heading_rad) noexcept;
+  double held_target_rad(double now_s) const noexcept;
   double sonar_share(const Feedback& feedback) const noexcept;
   void publish(double target_rad, double error_rad, bool held, bool blind) const noexcept;
 
@@ -81,6 +83,7 @@ class HoldHeading final : public ActingModule {
   CourseLearner learner_;
   double course_rad_ = kUnknown;
   double held_rad_ = kUnknown;
+  double held_from_s_ = -kForever;
   double held_until_s_ = -kForever;
   double settled_s_ = -kForever;   ///< When the held course follows the heading no longer.
   double struggle_s_ = 0;          ///< Time of being displaced since it was calm.
