@@ -12,7 +12,8 @@ using subsumption::Preset;
 enum Input : std::size_t { kHeading, kDisplacedBy, kLeft, kRight, kCourse };
 enum Output : std::size_t { kOriginal, kTarget, kError, kHeld, kBlind };
 
-constexpr double kInstant_s = 1e-6;  // rounding of times that were added up
+constexpr double kAlong_rad = 110 * kPi / 180;  // farther from the course a heading leads back, not along
+constexpr double kInstant_s = 1e-6;             // rounding of times that were added up
 
 float compass_deg(double yaw_rad) noexcept {
   return static_cast<float>(compass_deg_from_yaw(Angle::from_rad(yaw_rad)));
@@ -68,12 +69,14 @@ void HoldHeading::hold(double heading_rad, const Tick& tick) noexcept {
   settled_s_ = tick.time_s + config_.settle_s;
 }
 
-/// What is held beyond hold_s goes back to the course little by little, so that the robot feels its way round.
+/// What is held along an obstacle goes back to the course little by little beyond hold_s, so that the robot feels its
+/// way round. Out of a dead end it is held to its end: going back little by little would be a circle into it again.
 double HoldHeading::held_target_rad(double now_s) const noexcept {
   const double sure_s = held_from_s_ + config_.hold_s;
-  if (now_s <= sure_s || std::isnan(course_rad_)) return held_rad_;
+  const double back_rad = wrap_rad(course_rad_ - held_rad_);
+  if (now_s <= sure_s || !(std::fabs(back_rad) <= kAlong_rad)) return held_rad_;
   const double gone = (now_s - sure_s) / (held_until_s_ - sure_s);  // held: the end lies after now
-  return wrap_rad(held_rad_ + config_.hold_return * gone * wrap_rad(course_rad_ - held_rad_));
+  return wrap_rad(held_rad_ + config_.hold_return * gone * back_rad);
 }
 
 Command HoldHeading::without_heading(const Feedback& feedback, double share) const noexcept {

@@ -48,7 +48,8 @@ struct HoldHeadingConfig {
 /// Differs   recommended (all of this ours) wraps the error, never stands between the bands and learns the course from
 ///           three readings that agree. It holds for hold_s, or hold_growth times as long as it was displaced since it
 ///           was last calm, since a course into a corner else leads back there for ever; for settle_s the held course
-///           follows the heading, as a damped compass is behind after a turn. listing is the printed program: compass
+///           follows the heading, as a damped compass is behind after a turn. With hold_return what is held along an
+///           obstacle goes back to the course little by little after hold_s. listing is the printed program: compass
 ///           degrees without wrap, the first heading is the course, 15 cycles of a held course (the text says 10),
 ///           bursts of 0.04 and 0.2 s; a heading that is not there keeps its last value, 0 deg at first; sonars are not
 ///           looked at.

@@ -273,6 +273,16 @@ TEST(HoldHeading, ComesBackLittleByLittleWhereItIsToldTo) {
   EXPECT_EQ(robot.bench().out("held"), 0);
 }
 
+// More than 110 deg off the course: back little by little would be a circle into the same dead end.
+TEST(HoldHeading, LeavesADeadEndBeforeItComesBack) {
+  Recommended robot({{"hold_return", 1.0}});
+  for (int i = 0; i < 100; ++i) robot.step(150, true);
+  for (int i = 0; i < 199; ++i) robot.step(150);
+  EXPECT_NEAR(robot.bench().out("target") * 180 / kPi, 150, 1e-9);
+  robot.step(150);
+  EXPECT_NEAR(robot.bench().out("target"), 0, 1e-9);
+}
+
 TEST(HoldHeading, HoldsTheFirstHeadingThatIsBackAfterADisplacement) {
   Recommended robot;
   robot.step(kNan, true);
