@@ -1,6 +1,7 @@
 #include "ganglion/run/experiment.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "ganglion/base/file.h"
 #include "ganglion/base/text.h"
@@ -83,6 +84,46 @@ void read_run(Table run, Experiment& experiment) {
   experiment.stop = read_criteria(run, "stop");
 }
 
+/// When it happens: `from_s` is a time, or [earliest, latest].
+void read_window(Table& table, Fault& fault) {
+  const config::Value* from = table.value("from_s");
+  if (from != nullptr && from->array() != nullptr) {
+    const std::vector<double> range = table.numbers("from_s", {0, 0}, 2, config::kNotNegative);
+    if (range.size() == 2) std::tie(fault.from_s, fault.from_latest_s) = std::pair(range[0], range[1]);
+    if (fault.from_latest_s < fault.from_s)
+      table.problem("from_s", ErrorCode::BadParameter, "from_s = [earliest, latest] has its smaller number last");
+  } else {
+    fault.from_s = table.number("from_s", 0, config::kNotNegative);
+  }
+  if (table.has("to_s")) fault.to_s = table.number("to_s", config::kPositive);
+  if (fault.to_s <= fault.from_s) table.problem("to_s", ErrorCode::BadParameter, "to_s is not after from_s");
+  fault.chance = table.number("chance", 1, config::Range{0, 1});
+}
+
+FaultKind read_kind(Table& table) {
+  if (!table.has("kind")) {
+    const std::vector<std::string> names(kFaultNames.begin(), kFaultNames.end());
+    table.problem("kind", ErrorCode::MissingKey, "kind is missing: one of {}", join(names));
+  }
+  return static_cast<FaultKind>(table.choice("kind", kFaultNames, 0));
+}
+
+std::vector<Fault> read_faults(Table& root) {
+  std::vector<Fault> faults;
+  for (Table& table : root.tables("fault")) {
+    Fault fault;
+    fault.place = table.place("target");
+    fault.target = table.text("target");
+    table.set_context(fault.target);
+    fault.kind = read_kind(table);
+    fault.amount = table.number("amount", 0);
+    fault.with = table.text("with", "");
+    read_window(table, fault);
+    faults.push_back(std::move(fault));
+  }
+  return faults;
+}
+
 }  // namespace
 
 Experiment read_experiment(const std::filesystem::path& given, const std::vector<Override>& overrides,
@@ -107,6 +148,7 @@ Experiment read_experiment(const std::filesystem::path& given, const std::vector
   experiment.files.controller = read_file_name(table, "controller", instead.controller);
   if (!table.has("controller") && instead.controller.empty()) table.text("controller");  // reports it missing
   experiment.success = read_criteria(table, "success");
+  experiment.faults = read_faults(table);
   read_application(table.table("application"), experiment, instead);
   read_run(table.table("run"), experiment);
   return experiment;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "ganglion/application/fault/fault.h"
 #include "ganglion/config/table.h"
 #include "ganglion/geometry/pose2.h"
 #include "ganglion/run/criterion.h"
@@ -38,6 +39,7 @@ struct Experiment {
   std::uint64_t seed = 1;
   double maps_every_s = 1;         ///< How often maps are recorded while they change.
   bool free_ground = false;        ///< Drive the same run on open ground first, to measure progress_ratio against it.
+  std::vector<Fault> faults;       ///< Of every robot, in their order.
   std::vector<Criterion> success;  ///< All must be met.
   std::vector<Criterion> stop;     ///< Any ends the run early.
   std::vector<config::Override> controller_overrides, robot_overrides, world_overrides;  ///< For the named files.

@@ -70,9 +70,14 @@ void read_drive(Table table, const SimKinds& kinds, RobotModel& model) {
 }
 
 void describe_channels(const SensorModel& sensor, const Sensor& device, RobotDescription& description) {
-  std::size_t n = 0;
+  std::size_t n = 0, values = 0, at = 0;
+  for (const PortDescriptor& port : sensor.kind->descriptor.ports) values += static_cast<std::size_t>(port.size);
+  std::vector<double> broken(values);
+  device.broken(broken);
   for (const PortDescriptor& port : sensor.kind->descriptor.ports) {
     const Limits limits = device.limits(n++);
+    const double dead = broken[at];
+    at += static_cast<std::size_t>(port.size);
     description.sensations.push_back({.name = sensor.id + "." + std::string(port.name),
                                       .unit = std::string(port.unit),
                                       .type = port.type,
@@ -80,7 +85,8 @@ void describe_channels(const SensorModel& sensor, const Sensor& device, RobotDes
                                       .min = limits.min,
                                       .max = limits.max,
                                       .period_s = sensor.period_s,
-                                      .mount = sensor.mount});
+                                      .mount = sensor.mount,
+                                      .dead = dead});
   }
 }
 

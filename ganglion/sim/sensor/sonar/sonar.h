@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "ganglion/sim/robot/sensor.h"
+#include "ganglion/units/speed_of_sound.h"
 
 namespace ganglion::sim {
 
@@ -27,9 +28,6 @@ struct SonarConfig {
   double too_close_echo_s = 115e-6;  ///< The echo time given within the blind zone.
   TooClose too_close = TooClose::MinusInfinity;
 };
-
-/// Speed of sound in dry air [m/s] at a temperature in deg C: 331.3 + 0.606 T.
-constexpr double speed_of_sound_mps(double air_C) noexcept { return 331.3 + 0.606 * air_C; }
 
 /// An ultrasonic ranger. The nearest of several rays over its cone that meets a surface within the incidence limit of
 /// the surface's material gives the echo; a ray that does not goes on along its mirror direction, and what answers
