@@ -25,6 +25,11 @@ if(NOT out STREQUAL pinned)
   message(FATAL_ERROR "run --json differs from tests/command_line/run.json:\n${out}")
 endif()
 
+# Both sonars dead: it stands still on purpose, on open ground too. That is no success.
+call(1 run experiments/nimrod --seed 1 --set run.duration_s=20 --json --no-record
+     --set application.robot.sensor.sonar_left.fault=dead --set application.robot.sensor.sonar_right.fault=dead)
+expect("${out}" "not met: progress_m >= 0.1 \\(0")
+
 call(0 run experiments/nimrod --seeds 1..4 --threads 1 --set run.duration_s=20 --json --no-record)
 set(alone "${out}")
 call(0 run experiments/nimrod --seeds 1..4 --threads 2 --set run.duration_s=20 --json --no-record)

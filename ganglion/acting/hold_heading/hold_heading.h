@@ -19,6 +19,7 @@ struct HoldHeadingConfig {
   double settle_s = 1.5;
   double hold_growth = 2.0;
   double max_hold_s = 48;
+  double hold_return = 0;
   double calm_s = 5.0;
   double agreement_deg = 5;
   double patience_s = 0.5;
@@ -47,7 +48,8 @@ struct HoldHeadingConfig {
 /// Differs   recommended (all of this ours) wraps the error, never stands between the bands and learns the course from
 ///           three readings that agree. It holds for hold_s, or hold_growth times as long as it was displaced since it
 ///           was last calm, since a course into a corner else leads back there for ever; for settle_s the held course
-///           follows the heading, as a damped compass is behind after a turn. listing is the printed program: compass
+///           follows the heading, as a damped compass is behind after a turn. With hold_return what is held along an
+///           obstacle goes back to the course little by little after hold_s. listing is the printed program: compass
 ///           degrees without wrap, the first heading is the course, 15 cycles of a held course (the text says 10),
 ///           bursts of 0.04 and 0.2 s; a heading that is not there keeps its last value, 0 deg at first; sonars are not
 ///           looked at.
@@ -73,6 +75,7 @@ class HoldHeading final : public ActingModule {
   bool new_reading(const Feedback& feedback) noexcept;
   void hold(double heading_rad, const Tick& tick) noexcept;
   void find_course(const Feedback& feedback, double heading_rad) noexcept;
+  double held_target_rad(double now_s) const noexcept;
   double sonar_share(const Feedback& feedback) const noexcept;
   void publish(double target_rad, double error_rad, bool held, bool blind) const noexcept;
 
@@ -81,6 +84,7 @@ class HoldHeading final : public ActingModule {
   CourseLearner learner_;
   double course_rad_ = kUnknown;
   double held_rad_ = kUnknown;
+  double held_from_s_ = -kForever;
   double held_until_s_ = -kForever;
   double settled_s_ = -kForever;   ///< When the held course follows the heading no longer.
   double struggle_s_ = 0;          ///< Time of being displaced since it was calm.

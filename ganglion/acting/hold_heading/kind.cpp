@@ -108,6 +108,13 @@ constexpr std::array kParameters = {
                         .max = 3600,
                         .help = {"Longest time of holding", "Tiempo máximo de mantener"},
                         .ours = true},
+    ParameterDescriptor{.name = "hold_return",
+                        .preset = 0,
+                        .min = 0,
+                        .max = 1,
+                        .help = {"Share of the way back to the course that a held course goes after its first hold_s",
+                                 "Parte del regreso al rumbo que hace uno mantenido tras sus primeros hold_s"},
+                        .ours = true},
     ParameterDescriptor{.name = "calm_s",
                         .unit = "s",
                         .preset = 5.0,
@@ -168,6 +175,7 @@ Result<HoldHeadingConfig> HoldHeadingConfig::from(const Parameters& parameters) 
   config.settle_s = parameters.real("settle_s");
   config.hold_growth = parameters.real("hold_growth");
   config.max_hold_s = parameters.real("max_hold_s");
+  config.hold_return = parameters.real("hold_return");
   config.calm_s = parameters.real("calm_s");
   config.agreement_deg = parameters.real("agreement_deg");
   config.patience_s = parameters.real("patience_s");
