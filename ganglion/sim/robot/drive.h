@@ -35,6 +35,8 @@ class Drive {
   virtual void command(std::span<const double> values, const Pose2& pose, double step_s, bool fresh) noexcept = 0;
   /// The next sub-step, from where the body is.
   virtual Movement move(const Pose2& pose, double step_s) noexcept = 0;
+  /// The share of its full voltage that the battery gives from now on, in [0, 1]; 1 where there is no battery.
+  virtual void supply(double share) noexcept { static_cast<void>(share); }
   /// What the last sub-step ran into.
   virtual void feel(bool touched) noexcept { static_cast<void>(touched); }
 };

@@ -12,7 +12,10 @@ double sinc(double x) noexcept { return std::fabs(x) < 1e-4 ? 1 - x * x / 6 : ma
 
 }  // namespace
 
-void WheelPair::reset() noexcept { left_ = right_ = Side{}; }
+void WheelPair::reset() noexcept {
+  left_ = right_ = Side{};
+  supply_ = 1;
+}
 
 void WheelPair::command(double left_duty, double right_duty) noexcept {
   left_.duty = left_duty;
@@ -21,7 +24,7 @@ void WheelPair::command(double left_duty, double right_duty) noexcept {
 
 double WheelPair::roll(Side& side, double gain, double step_s) noexcept {
   const double moving_duty = std::fabs(side.duty) < config_.dead_zone ? 0 : side.duty;
-  const double wanted_mps = moving_duty * gain * config_.full_scale_mps;
+  const double wanted_mps = moving_duty * gain * config_.full_scale_mps * supply_;
   const double share = lag_.share(step_s);
   const double missing_mps = side.speed_mps - wanted_mps;
   side.speed_mps = wanted_mps + missing_mps * (1 - share);

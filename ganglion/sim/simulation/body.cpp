@@ -13,7 +13,8 @@ constexpr double kAlongNormal = 0.99;  // cosine between a contact's normal and 
 
 }  // namespace
 
-Body::Body(const RobotModel& model, std::unique_ptr<Drive> drive) : model_(&model), drive_(std::move(drive)) {
+Body::Body(const RobotModel& model, std::unique_ptr<Drive> drive)
+    : model_(&model), drive_(std::move(drive)), ride_(model) {
   for (const CommandElement& element : model.description.commands.front().elements) safe_.push_back(element.safe);
   command_ = safe_;
 }
@@ -23,11 +24,13 @@ void Body::make_room(std::size_t robots) {
   bumps_.reserve(robots);
 }
 
-void Body::reset(const Pose2& pose) noexcept {
+void Body::reset(const Pose2& pose, const StreamId& chance) noexcept {
   truth_ = {};
   truth_.pose = truth_.start = pose;
   contacts_.clear();
   drive_->reset();
+  ride_.reset(chance);
+  sag(0);
   bumps_.clear();
 }
 
@@ -40,6 +43,7 @@ void Body::begin(const ActFrame& frame, double step_s) noexcept {
   ttl_s_ = frame.ttl_s[0];
   lapsed_ = false;
   truth_.touched = truth_.touching;
+  ride_.begin();
   truth_.contact_speed_mps = 0;
   truth_.step_energy_J = 0;
   drive_->command(command_, truth_.pose, step_s, true);
@@ -78,11 +82,14 @@ World::Slide Body::slide(const World& world, std::span<const Disc> others, std::
 
 void Body::move(const World& world, std::span<const Disc> others, std::size_t self, double time_s,
                 double step_s) noexcept {
-  const Movement movement = drive_->move(truth_.pose, step_s);
+  const Floor& floor = world.ground().plan().floor;
+  Movement movement = drive_->move(truth_.pose, step_s);
+  if (!floor.plain()) movement = ride_.over(floor, movement, truth_);
   World::Slide result{truth_.pose.position, truth_.touching, truth_.contact_normal};  // at rest nothing changes
   const bool moves = movement.displacement.squared() > 0;
   if (moves) result = slide(world, others, self, movement.displacement);
   const Vector2 gone = result.position - truth_.pose.position;
+  if (!floor.bumps.empty()) movement.turn_rad += ride_.jolt_rad(floor, truth_.pose.position, result.position);
 
   truth_.velocity_mps = gone * (1 / step_s);
   truth_.turn_rate_radps = movement.turn_rad / step_s;
@@ -95,7 +102,9 @@ void Body::move(const World& world, std::span<const Disc> others, std::size_t se
   truth_.touching = result.touched;
   truth_.touched = truth_.touched || result.touched;
   const EnergyModel& energy = model_->energy;
-  spend((energy.idle_W + energy.drive_W * movement.effort) * step_s + energy.travel_J_per_m * gone_m);
+  const double power_W = energy.idle_W + energy.drive_W * movement.effort;
+  spend(power_W * step_s + energy.travel_J_per_m * gone_m);
+  sag(power_W + energy.travel_J_per_m * gone_m / step_s);
   if (moves && result.touched) {
     const double speed_mps = std::max(0.0, -movement.displacement.dot(result.normal) / step_s);
     note_contact(result.normal, speed_mps, time_s);
@@ -131,6 +140,14 @@ void Body::bumped(Vector2 normal, double speed_mps, double time_s) noexcept {
 void Body::spend(double energy_J) noexcept {
   truth_.energy_J += energy_J;
   truth_.step_energy_J += energy_J;
+}
+
+void Body::sag(double power_W) noexcept {
+  const BatteryModel& battery = model_->battery;
+  if (!battery.present()) return;
+  truth_.charge = std::max(battery.charge - truth_.energy_J / battery.capacity_J, 0.0);
+  truth_.battery_V = battery.voltage_V(truth_.charge, power_W);
+  drive_->supply(std::min(truth_.battery_V / battery.full_V, 1.0));
 }
 
 }  // namespace ganglion::sim

@@ -6,6 +6,7 @@
 #include "ganglion/application/application.h"
 #include "ganglion/sim/robot/robot_model.h"
 #include "ganglion/sim/simulation/contact_memory.h"
+#include "ganglion/sim/simulation/floor_ride.h"
 
 namespace ganglion::sim {
 
@@ -16,7 +17,8 @@ class Body {
 
   /// Takes the memory that a step among so many robots needs.
   void make_room(std::size_t robots);
-  void reset(const Pose2& pose) noexcept;
+  /// `chance` is the source of what the floor does to it.
+  void reset(const Pose2& pose, const StreamId& chance) noexcept;
   /// A step begins: takes the commands, made finite and put within their limits.
   void begin(const ActFrame& frame, double step_s) noexcept;
   /// The sub-step [elapsed_s, elapsed_s + step_s) of that step, begun at time_s. Where the time to live ends within it,
@@ -43,6 +45,8 @@ class Body {
   void note_contact(Vector2 normal, double speed_mps, double time_s) noexcept;
   void note_bumps(std::span<const Disc> others, std::size_t self, Vector2 normal, double speed_mps) noexcept;
   void spend(double energy_J) noexcept;
+  /// The battery after a sub-step under that power, for the next one.
+  void sag(double power_W) noexcept;
 
   const RobotModel* model_;
   std::unique_ptr<Drive> drive_;
@@ -52,6 +56,7 @@ class Body {
   double ttl_s_ = 0;
   bool lapsed_ = false;
   ContactMemory contacts_;
+  FloorRide ride_;
   Truth truth_;
 };
 

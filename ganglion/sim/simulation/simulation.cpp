@@ -78,7 +78,7 @@ Result<void> Simulation::reset(std::uint64_t seed, std::uint32_t episode) {
   discs_.clear();
   others_.reserve(robots_.size());
   for (std::size_t i = 0; i < robots_.size(); ++i) {
-    robots_[i].body.reset(poses[i]);
+    robots_[i].body.reset(poses[i], {seed, episode, static_cast<std::uint32_t>(i), hash_name("floor")});
     discs_.push_back(robots_[i].body.disc());
   }
   for (std::size_t i = 0; i < robots_.size(); ++i) {
