@@ -32,7 +32,7 @@ struct Stage {
   Scene at(const Pose2& pose, double time_s = 0) {
     robot.pose = pose;
     return {
-        .world = world, .robot = robot, .mount = pose, .others = others, .radius_m = 0.1, .tick = 0, .time_s = time_s};
+        .world = world, .robot = robot, .mount = pose, .ahead = direction(pose.yaw.rad()), .others = others, .radius_m = 0.1, .tick = 0, .time_s = time_s};
   }
   World world;
   Truth robot;

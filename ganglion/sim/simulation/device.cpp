@@ -12,7 +12,7 @@ constexpr double kTimeTolerance_s = 1e-7;  // sums of steps differ from multiple
 }  // namespace
 
 Device::Device(const SensorModel& model, std::unique_ptr<Sensor> sensor, std::span<double> values)
-    : model_(&model), sensor_(std::move(sensor)), values_(values) {}
+    : model_(&model), sensor_(std::move(sensor)), values_(values), ahead_(direction(model.mount.yaw.rad())), name_hash_(hash_name(model.id)) {}
 
 Result<void> Device::reset(const Scene& scene, const StreamId& stream) {
   stream_ = stream;
@@ -38,6 +38,12 @@ bool Device::due(double begin_s, double now_s, double end_s) const noexcept {
 
 bool Device::wants(double begin_s, double now_s, double end_s) const noexcept {
   return sensor_->follows() || due(begin_s, now_s, end_s);
+}
+
+bool Device::wants_before(double begin_s, double last_s, double end_s) const noexcept {
+  if (sensor_->follows()) return true;
+  if (model_->period_s <= 0) return false;
+  return firings(last_s) > firings(begin_s) && firings(last_s) == firings(end_s);
 }
 
 void Device::follow(const Scene& scene, double begin_s, double end_s) noexcept {

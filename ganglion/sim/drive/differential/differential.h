@@ -15,6 +15,7 @@ class Differential final : public Drive {
     wheels_.command(values[0], values[1]);
   }
   Movement move(const Pose2& pose, double step_s) noexcept override { return wheels_.move(pose, step_s); }
+  double steady_mps() const noexcept override { return wheels_.steady_mps(); }
 
  private:
   WheelPair wheels_;

@@ -17,6 +17,7 @@ class Tracked final : public Drive {
     tracks_.command(values[0], values[1]);
   }
   Movement move(const Pose2& pose, double step_s) noexcept override { return tracks_.move(pose, step_s); }
+  double steady_mps() const noexcept override { return tracks_.steady_mps(); }
 
  private:
   static WheelPairConfig widened(WheelPairConfig config, double skid_factor) noexcept {
