@@ -18,10 +18,9 @@ std::optional<Hit> cast(const Scene& scene, Vector2 from, Vector2 unit_direction
   return nearest;
 }
 
-Hit first_hit(const Scene& scene, Vector2 ray, std::size_t n, double reach_m) noexcept {
-  if (!scene.hits.empty()) return scene.hits[n];
-  const Vector2 along = scene.ahead * ray.x + scene.ahead.left() * ray.y;
-  return cast(scene, scene.mount.position, along, reach_m).value_or(Hit{kNoHit, {}, Material::Rough});
+Hit cast_own(const Scene& scene, Vector2 ray, double reach_m) noexcept {
+  const Vector2 along = scene.ahead() * ray.x + scene.ahead().left() * ray.y;
+  return cast(scene, scene.mount().position, along, reach_m).value_or(Hit{kNoHit, {}, Material::Rough});
 }
 
 }  // namespace ganglion::sim

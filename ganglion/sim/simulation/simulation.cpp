@@ -67,9 +67,10 @@ Result<void> Simulation::reset(std::uint64_t seed, std::uint32_t episode) {
     neighbours_.put(i, robots_[i].body.disc());
   }
   neighbours_.sort();
+  lookout_->call_none();
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     std::vector<Device>& devices = robots_[i].devices;
-    lookout_->begin(i, robots_[i].body.truth(), devices, 0, 0);
+    lookout_->begin(i, robots_[i].body.truth(), 0, 0);
     for (std::size_t n = 0; n < devices.size(); ++n) {
       const StreamId stream{seed, episode, static_cast<std::uint32_t>(i), devices[n].name_hash()};
       if (auto ready = devices[n].reset(lookout_->scene(n), stream); !ready) return ready;
@@ -176,12 +177,14 @@ void Simulation::tell_bumps(std::size_t robot, double time_s) noexcept {
 }
 
 void Simulation::run_devices(double begin_s, double now_s, double end_s) noexcept {
-  for (std::size_t i = 0; i < robots_.size(); ++i) {
-    std::vector<Device>& devices = robots_[i].devices;
-    lookout_->begin(i, robots_[i].body.truth(), devices, tick_ + 1, now_s);
-    lookout_->cast(begin_s, end_s);
-    for (std::size_t n = 0; n < devices.size(); ++n) {
-      if (devices[n].wants(begin_s, now_s, end_s)) devices[n].follow(lookout_->scene(n), begin_s, end_s);
+  const auto calls = lookout_->call(robots_.front().devices, begin_s, now_s, end_s);  // all robots have the same
+  for (std::size_t i = 0; i < robots_.size() && !calls.empty(); ++i) {
+    lookout_->begin(i, robots_[i].body.truth(), tick_ + 1, now_s);
+    for (const Lookout::Call& call : calls) {
+      Device& device = robots_[i].devices[call.device];
+      const Scene& scene = lookout_->scene(call.device);
+      if (call.follows) device.follow(scene, now_s - begin_s);
+      if (call.fires) device.fire(scene);
     }
   }
 }

@@ -126,7 +126,12 @@ Hit Ground::hit(const Ray& ray, const SurfaceGrid::Found& found) const noexcept 
 }
 
 Hit Ground::hit(const Ray& ray, std::uint32_t item, double range_m) const noexcept {
-  return hit(ray, surfaces_.found(ray, item, range_m));
+  if (item >= surfaces_.set().segments.size()) return hit(ray, surfaces_.found(ray, item, range_m));
+  const SurfaceGrid::Face& face = surfaces_.face(item);
+  if (face.solid && face.along.cross(ray.direction) < 0 && inside_solid(ray.from)) {
+    return {0, -ray.direction, face.material};
+  }
+  return {range_m, normal_towards(ray, face.normal), face.material};
 }
 
 std::shared_ptr<const NearSurfaces> Ground::near_surfaces(double reach_m, double spread_m) const {

@@ -33,13 +33,28 @@ struct CircleColumns {
 
 /// Rays, column by column, each with the nearest surface met so far; pads repeat a ray.
 struct RayColumns {
-  const double* from_x;
-  const double* from_y;
-  const double* along_x;  ///< Unit directions.
-  const double* along_y;
+  double* from_x;
+  double* from_y;
+  double* along_x;  ///< Unit directions.
+  double* along_y;
   double* range_m;  ///< A surface must be nearer than this; then its range.
   double* name;     ///< Of that surface; left as it was where none is nearer.
   std::size_t count;
+};
+
+/// Rays in the frame of a robot.
+struct AimColumns {
+  const double* from_x;
+  const double* from_y;
+  const double* along_x;
+  const double* along_y;
+  const double* limit_m;  ///< Surfaces must be nearer than this.
+};
+
+/// Where a robot stands: its place, and the unit vector of its heading.
+struct Stance {
+  double x, y;
+  double ahead_x, ahead_y;
 };
 
 /// What rays from one point between two directions, less than half a turn apart, may meet.
@@ -62,6 +77,8 @@ enum class Within : std::uint8_t { Seen, Unseen };
 /// they are one template over the lane's type, made of operations that IEEE 754 fixes.
 struct Lanes {
   const char* name;
+  /// Turns rays into the world; they have met nothing yet.
+  void (*aim)(const AimColumns&, const Stance&, const RayColumns&) noexcept;
   /// Rays against surfaces: all of them, or the chosen ones.
   void (*meet_segments)(const RayColumns&, const SegmentColumns&) noexcept;
   void (*meet_chosen_segments)(const RayColumns&, const SegmentColumns&, Chosen chosen) noexcept;

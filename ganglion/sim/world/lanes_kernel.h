@@ -9,25 +9,24 @@
 namespace ganglion::sim {
 namespace {
 
-constexpr double kNever = __builtin_huge_val();
 constexpr double kWedgeMargin_m = 1e-9;  // by which choosing is generous: rounding must not lose a surface
 
 template <class V>
 constexpr std::size_t kWidth = sizeof(V) / sizeof(double);
 
 template <class V>
-V load(const double* from) noexcept {
+[[gnu::always_inline]] inline V load(const double* from) noexcept {
   V values;
   std::memcpy(&values, from, sizeof(V));
   return values;
 }
 template <class V>
-void store(V values, double* to) noexcept {
+[[gnu::always_inline]] inline void store(V values, double* to) noexcept {
   std::memcpy(to, &values, sizeof(V));
 }
 /// The same value in all lanes; minus 0 stays minus 0.
 template <class V>
-V all(double value) noexcept {
+[[gnu::always_inline]] inline V all(double value) noexcept {
   return value - V{};
 }
 
@@ -37,68 +36,80 @@ struct RayLanes {
   V from_x, from_y, along_x, along_y, range_m, name;
 };
 template <class V>
-RayLanes<V> rays_at(const RayColumns& rays, std::size_t at) noexcept {
+[[gnu::always_inline]] inline RayLanes<V> rays_at(const RayColumns& rays, std::size_t at) noexcept {
   return {load<V>(rays.from_x + at),  load<V>(rays.from_y + at),  load<V>(rays.along_x + at),
           load<V>(rays.along_y + at), load<V>(rays.range_m + at), load<V>(rays.name + at)};
 }
 template <class V>
-RayLanes<V> first_ray(const RayColumns& rays) noexcept {
+[[gnu::always_inline]] inline RayLanes<V> first_ray(const RayColumns& rays) noexcept {
   return {all<V>(rays.from_x[0]),  all<V>(rays.from_y[0]),  all<V>(rays.along_x[0]),
           all<V>(rays.along_y[0]), all<V>(rays.range_m[0]), all<V>(rays.name[0])};
 }
 
-template <class V>
-void keep_nearer(RayLanes<V>& ray, V range_m, V name) noexcept {
-  const auto nearer = range_m < ray.range_m;
+template <class V, class Nearer>
+[[gnu::always_inline]] inline void keep(RayLanes<V>& ray, Nearer nearer, V range_m, V name) noexcept {
   ray.range_m = nearer ? range_m : ray.range_m;
   ray.name = nearer ? name : ray.name;
 }
 
 /// range_to_segment() of ray.h.
 template <class V>
-void meet_segment(RayLanes<V>& ray, V from_x, V from_y, V to_x, V to_y, V name) noexcept {
+[[gnu::always_inline]] inline void meet_segment(RayLanes<V>& ray, V from_x, V from_y, V to_x, V to_y, V name) noexcept {
   const V ax = from_x - ray.from_x, ay = from_y - ray.from_y, bx = to_x - ray.from_x, by = to_y - ray.from_y;
   const V side_a = ray.along_x * ay - ray.along_y * ax, side_b = ray.along_x * by - ray.along_y * bx;
   const V along_a = ray.along_x * ax + ray.along_y * ay, along_b = ray.along_x * bx + ray.along_y * by;
-  const V range_m = along_a + (along_b - along_a) * (side_a / (side_a - side_b));
-  const auto missed = ((side_a > 0) & (side_b > 0)) | ((side_a < 0) & (side_b < 0)) | (side_a == side_b);
-  keep_nearer(ray, missed ? all<V>(kNever) : (range_m >= 0 ? range_m : all<V>(kNever)), name);
+  const V share = side_a / (side_a - side_b);
+  const V range_m = along_a + (along_b - along_a) * share;
+  keep(ray, (share >= 0) & (share <= 1) & (range_m >= 0) & (range_m < ray.range_m), range_m, name);
 }
 
 /// range_to_circle() of ray.h.
 template <Within within, class V>
-void meet_circle(RayLanes<V>& ray, V x, V y, V radius, V name) noexcept {
+[[gnu::always_inline]] inline void meet_circle(RayLanes<V>& ray, V x, V y, V radius, V name) noexcept {
   const V to_x = x - ray.from_x, to_y = y - ray.from_y;
   const V along = ray.along_x * to_x + ray.along_y * to_y, aside = ray.along_x * to_y - ray.along_y * to_x;
   const V squared = (radius - aside) * (radius + aside);
   const auto met = squared >= 0;
   const V half_chord = root(met ? squared : V{});
   const V near_m = along - half_chord;
-  V range_m = near_m >= 0 ? near_m : all<V>(kNever);
-  if constexpr (within == Within::Seen) {
-    const V far_m = along + half_chord;
-    range_m = near_m >= 0 ? near_m : (far_m >= 0 ? far_m : all<V>(kNever));
-  }
-  keep_nearer(ray, met ? range_m : all<V>(kNever), name);
+  V range_m = near_m;
+  if constexpr (within == Within::Seen) range_m = near_m >= 0 ? near_m : along + half_chord;
+  keep(ray, met & (range_m >= 0) & (range_m < ray.range_m), range_m, name);
 }
 
 template <class V>
-void meet_nth(RayLanes<V>& ray, const SegmentColumns& s, std::size_t n) noexcept {
+[[gnu::always_inline]] inline void meet_nth(RayLanes<V>& ray, const SegmentColumns& s, std::size_t n) noexcept {
   meet_segment(ray, all<V>(s.from_x[n]), all<V>(s.from_y[n]), all<V>(s.to_x[n]), all<V>(s.to_y[n]), all<V>(s.name[n]));
 }
 template <Within within, class V>
-void meet_nth(RayLanes<V>& ray, const CircleColumns& c, std::size_t n) noexcept {
+[[gnu::always_inline]] inline void meet_nth(RayLanes<V>& ray, const CircleColumns& c, std::size_t n) noexcept {
   meet_circle<within>(ray, all<V>(c.x[n]), all<V>(c.y[n]), all<V>(c.radius[n]), all<V>(c.name[n]));
 }
 
 /// Calls meet(ray lanes) for every group of rays.
 template <class V, class Meet>
-void each_group(const RayColumns& rays, Meet meet) noexcept {
+[[gnu::always_inline]] inline void each_group(const RayColumns& rays, Meet meet) noexcept {
   for (std::size_t at = 0; at < rays.count; at += kWidth<V>) {
     RayLanes<V> ray = rays_at<V>(rays, at);
     meet(ray);
     store(ray.range_m, rays.range_m + at);
     store(ray.name, rays.name + at);
+  }
+}
+
+/// Turns rays from the robot's frame into the world's.
+template <class V>
+void aim(const AimColumns& aims, const Stance& stance, const RayColumns& rays) noexcept {
+  const V x = all<V>(stance.x), y = all<V>(stance.y), ahead_x = all<V>(stance.ahead_x), ahead_y = all<V>(stance.ahead_y);
+  for (std::size_t at = 0; at < rays.count; at += kWidth<V>) {
+    const V mount_x = load<V>(aims.from_x + at), mount_y = load<V>(aims.from_y + at);
+    const V along_x = load<V>(aims.along_x + at), along_y = load<V>(aims.along_y + at);
+    store(x + (ahead_x * mount_x - ahead_y * mount_y), rays.from_x + at);
+    store(y + (ahead_y * mount_x + ahead_x * mount_y), rays.from_y + at);
+    store(ahead_x * along_x - ahead_y * along_y, rays.along_x + at);
+    store(ahead_y * along_x + ahead_x * along_y, rays.along_y + at);
+    store(load<V>(aims.limit_m + at), rays.range_m + at);
+    store(all<V>(-1), rays.name + at);
   }
 }
 
@@ -243,6 +254,7 @@ std::size_t choose_circles(const Wedge& wedge, const CircleColumns& c, std::uint
 template <class V>
 constexpr Lanes lanes_of(const char* name) noexcept {
   return {name,
+          aim<V>,
           meet_segments<V>,
           meet_chosen_segments<V>,
           meet_circles<V>,

@@ -22,10 +22,10 @@ struct Ray {
 inline double range_to_segment(const Ray& ray, Vector2 a, Vector2 b) noexcept {
   const Vector2 to_a = a - ray.from, to_b = b - ray.from;
   const double side_a = ray.direction.cross(to_a), side_b = ray.direction.cross(to_b);
-  if ((side_a > 0 && side_b > 0) || (side_a < 0 && side_b < 0) || side_a == side_b) return kNoHit;
   const double along_a = ray.direction.dot(to_a), along_b = ray.direction.dot(to_b);
-  const double range = along_a + (along_b - along_a) * (side_a / (side_a - side_b));
-  return range >= 0 ? range : kNoHit;
+  const double share = side_a / (side_a - side_b);  // of the segment, from a; infinite or NaN if parallel
+  const double range = along_a + (along_b - along_a) * share;
+  return share >= 0 && share <= 1 && range >= 0 ? range : kNoHit;
 }
 
 /// Range to the surface of a disc, from without or from within; +inf if the ray misses it.

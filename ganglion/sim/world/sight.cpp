@@ -26,6 +26,7 @@ Sight::Sight(const std::shared_ptr<const Ground>& ground, double reach_m, double
       rounds_(NearSurfaces::kMaxListed + kLanePadding),
       others_(robots + kLanePadding),
       item_(NearSurfaces::kMaxListed),
+      round_item_(NearSurfaces::kMaxListed),
       chosen_(std::max(segments_.a.size(), others_.a.size())) {
   expects(static_cast<double>(others_.a.size()) < kWalked - kOthers);
   for (std::size_t n = 0; n < segments_.name.size(); ++n) segments_.name[n] = static_cast<double>(n);
@@ -39,13 +40,11 @@ void Sight::look(const World& world, Vector2 centre) noexcept {
   segments_.count = rounds_.count = others_.count = 0;
   const NearSurfaces::List list = near_->at(centre);
   listed_ = list.listed;
+  averted_ = {};
   if (!listed_) return;
   add_segments(list.facing);
   facing_ = segments_.count;
-  add_segments(list.averted);
-  for (std::size_t n = segments_.count; n < padded(segments_.count); ++n) {
-    segments_.a[n] = segments_.b[n] = segments_.c[n] = segments_.d[n] = 0;
-  }
+  averted_ = list.averted;
   const SurfaceSet& set = ground_->surfaces().set();
   for (const std::uint32_t item : list.rounds) {
     const std::size_t n = rounds_.count++;
@@ -53,7 +52,7 @@ void Sight::look(const World& world, Vector2 centre) noexcept {
     rounds_.a[n] = disc.position.x;
     rounds_.b[n] = disc.position.y;
     rounds_.c[n] = disc.radius_m;
-    item_[segments_.count + n] = item;
+    round_item_[n] = item;
   }
   for (std::size_t n = rounds_.count; n < padded(rounds_.count); ++n) rounds_.c[n] = kNaN;
 }
@@ -67,6 +66,9 @@ void Sight::add_segments(std::span<const std::uint32_t> items) noexcept {
     segments_.c[n] = all[item].to.x;
     segments_.d[n] = all[item].to.y;
     item_[n] = item;
+  }
+  for (std::size_t n = segments_.count; n < padded(segments_.count); ++n) {
+    segments_.a[n] = segments_.b[n] = segments_.c[n] = segments_.d[n] = 0;
   }
 }
 
@@ -103,37 +105,42 @@ void Sight::walk(const RayColumns& rays, Hit* hits) const noexcept {
   }
 }
 
-void Sight::meet(const RayColumns& rays, bool wedge, const Wedge& edges) noexcept {
-  const SegmentColumns straight = segments(facing_);
-  const CircleColumns round = circles(rounds_), others = circles(others_);
-  if (!wedge) {
-    if (listed_) lanes_->meet_segments(rays, straight);
-    if (listed_ && round.count > 0) lanes_->meet_circles(rays, round, Within::Seen);
-    if (others.count > 0) lanes_->meet_circles(rays, others, Within::Unseen);
-    return;
-  }
-  std::uint32_t* chosen = chosen_.data();
-  if (listed_) {
-    lanes_->meet_chosen_segments(rays, straight, {chosen, lanes_->choose_segments(edges, straight, chosen)});
-    if (round.count > 0) {
-      lanes_->meet_chosen_circles(rays, round, Within::Seen, {chosen, lanes_->choose_circles(edges, round, chosen)});
-    }
-  }
-  if (others.count == 0) return;
-  lanes_->meet_chosen_circles(rays, others, Within::Unseen, {chosen, lanes_->choose_circles(edges, others, chosen)});
+void Sight::meet(const RayColumns& rays) const noexcept {
+  if (listed_) lanes_->meet_segments(rays, segments(facing_));
+  if (listed_ && rounds_.count > 0) lanes_->meet_circles(rays, circles(rounds_), Within::Seen);
+  if (others_.count > 0) lanes_->meet_circles(rays, circles(others_), Within::Unseen);
 }
 
-void Sight::cast(RayFan& fan) noexcept {
-  for (std::size_t g = 0; g < fan.groups_; ++g) {
-    const RayFan::Group& group = fan.group_[g];
-    const RayColumns rays = fan.columns(group);
-    Hit* hits = &fan.hits_[group.first];
-    if (!listed_) walk(rays, hits);
-    const Wedge edges = fan.wedge(group);
-    const bool narrow = group.wedge && edges.right_x * edges.left_y - edges.right_y * edges.left_x > 0;
-    meet(rays, narrow, edges);
-    for (std::size_t n = 0; n < group.count; ++n) {
-      hits[n] = seen(fan.ray(group.first + n), rays.range_m[n], rays.name[n], hits[n]);
+void Sight::meet(const RayColumns& rays, const Wedge& wedge) noexcept {
+  std::uint32_t* chosen = chosen_.data();
+  if (listed_) {
+    const SegmentColumns straight = segments(facing_);
+    lanes_->meet_chosen_segments(rays, straight, {chosen, lanes_->choose_segments(wedge, straight, chosen)});
+  }
+  if (listed_ && rounds_.count > 0) {
+    const CircleColumns round = circles(rounds_);
+    lanes_->meet_chosen_circles(rays, round, Within::Seen, {chosen, lanes_->choose_circles(wedge, round, chosen)});
+  }
+  if (others_.count == 0) return;
+  const CircleColumns others = circles(others_);
+  lanes_->meet_chosen_circles(rays, others, Within::Unseen, {chosen, lanes_->choose_circles(wedge, others, chosen)});
+}
+
+void Sight::cast(RayFan& fan, std::size_t number, Vector2 position, Vector2 ahead) noexcept {
+  const RayFan::Group& group = fan.groups_[number];
+  const RayColumns rays = fan.columns(group);
+  Hit* hits = &fan.hits_[group.first];
+  lanes_->aim(fan.aims(group), {position.x, position.y, ahead.x, ahead.y}, rays);
+  if (!listed_) walk(rays, hits);
+  group.wedge ? meet(rays, fan.wedge(group)) : meet(rays);
+  const bool still = world_->movers().empty();
+  for (std::size_t n = 0; n < group.count; ++n) {
+    const Ray ray = fan.ray(group.first + n);
+    const double name = rays.name[n];
+    if (still && name >= 0 && name < kRounds) {
+      hits[n] = ground_->hit(ray, item_[static_cast<std::size_t>(name)], rays.range_m[n]);
+    } else {
+      hits[n] = seen(ray, rays.range_m[n], name, hits[n]);
     }
   }
 }
@@ -144,6 +151,8 @@ Hit Sight::cast(const Ray& ray, double max_range_m) noexcept {
   const RayColumns rays{&from_x, &from_y, &along_x, &along_y, &range_m, &name, 1};
   Hit walked;
   if (listed_) {
+    if (!averted_.empty()) add_segments(averted_);
+    averted_ = {};
     lanes_->meet_segments_alone(rays, segments(segments_.count));
     if (rounds_.count > 0) lanes_->meet_circles_alone(rays, circles(rounds_), Within::Seen);
   } else {
@@ -162,7 +171,7 @@ Hit Sight::seen(const Ray& ray, double range_m, double name, const Hit& walked) 
     const Vector2 outwards = ray.from + ray.direction * range_m - Vector2{others_.a[n], others_.b[n]};
     hit = {range_m, outwards * (1 / others_.c[n]), Material::Rough};
   } else if (name >= kRounds) {
-    hit = ground_->hit(ray, item_[segments_.count + static_cast<std::size_t>(name - kRounds)], range_m);
+    hit = ground_->hit(ray, round_item_[static_cast<std::size_t>(name - kRounds)], range_m);
   } else if (name >= 0) {
     hit = ground_->hit(ray, item_[static_cast<std::size_t>(name)], range_m);
   }

@@ -24,8 +24,8 @@ class Sight {
   void look(const World& world, Vector2 centre) noexcept;
   void add_other(const Disc& disc) noexcept;
 
-  /// Casts rays that begin on the robot, which stands outside all solids: fills the fan's hits.
-  void cast(RayFan& fan) noexcept;
+  /// Casts a group of rays from the robot, which stands there and outside all solids: fills the fan's hits.
+  void cast(RayFan& fan, std::size_t group, Vector2 position, Vector2 ahead) noexcept;
   /// One ray from anywhere; the way that led there included, it may not end farther off than stated.
   Hit cast(const Ray& ray, double max_range_m) noexcept;
   /// Whether a ray from there of that length stays within what was gathered.
@@ -40,7 +40,8 @@ class Sight {
   void add_segments(std::span<const std::uint32_t> items) noexcept;
   SegmentColumns segments(std::size_t count) const noexcept;
   CircleColumns circles(const Columns& columns) const noexcept;
-  void meet(const RayColumns& rays, bool wedge, const Wedge& edges) noexcept;
+  void meet(const RayColumns& rays) const noexcept;
+  void meet(const RayColumns& rays, const Wedge& wedge) noexcept;
   void walk(const RayColumns& rays, Hit* hits) const noexcept;
   Hit seen(const Ray& ray, double range_m, double name, const Hit& walked) const noexcept;
 
@@ -54,7 +55,8 @@ class Sight {
   std::size_t facing_ = 0;          // the first segments; only mirrored rays look at the others
   Columns segments_;                // from x, from y, to x, to y
   Columns rounds_, others_;         // x, y, radius
-  std::vector<std::uint32_t> item_;  // numbers of the segments, then of the rounds
+  std::vector<std::uint32_t> item_, round_item_;  // their numbers on the ground
+  std::span<const std::uint32_t> averted_;        // segments still to be added, once a mirrored ray is cast
   std::vector<std::uint32_t> chosen_;
 };
 

@@ -72,7 +72,10 @@ Span clip(const Ray& ray, Vector2 lower, Vector2 upper, double max_range_m) noex
 
 SurfaceGrid::SurfaceGrid(SurfaceSet set) : set_(std::move(set)) {
   choose_cells();
-  for (const Segment& segment : set_.segments) normals_.push_back(left_normal(segment.from, segment.to));
+  for (const Segment& s : set_.segments) {
+    const SurfaceTraits& traits = set_.traits[s.traits];
+    faces_.push_back({s.to - s.from, left_normal(s.from, s.to), traits.material, traits.solid});
+  }
   items_ = gather([this](auto add) {
     for (std::uint32_t i = 0; i < set_.segments.size(); ++i) {
       cells_of(set_.segments[i], [&](std::size_t at) { add(at, i); });
@@ -161,8 +164,8 @@ void SurfaceGrid::cells_of(const RoundSurface& round, bool filled, OnCell on_cel
 SurfaceGrid::Found SurfaceGrid::found(const Ray& ray, std::uint32_t item, double range_m) const noexcept {
   if (item < set_.segments.size()) {
     const Segment& segment = set_.segments[item];
-    const bool leaves_solid = (segment.to - segment.from).cross(ray.direction) < 0;
-    return {range_m, normal_towards(ray, normals_[item]), segment.traits, leaves_solid};
+    const bool leaves_solid = faces_[item].along.cross(ray.direction) < 0;
+    return {range_m, normal_towards(ray, faces_[item].normal), segment.traits, leaves_solid};
   }
   const RoundSurface& round = set_.rounds[item - set_.segments.size()];
   return {range_m, normal_towards(ray, round.disc, range_m), round.traits,

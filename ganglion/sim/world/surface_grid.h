@@ -84,6 +84,14 @@ class SurfaceGrid {
   const SurfaceSet& set() const noexcept { return set_; }
   /// What a ray finds that meets the item at that range: segments by number, then rounds.
   Found found(const Ray& ray, std::uint32_t item, double range_m) const noexcept;
+  /// What a segment's surface is like.
+  struct Face {
+    Vector2 along;   ///< From one end to the other.
+    Vector2 normal;  ///< Unit, on the left.
+    Material material = Material::Rough;
+    bool solid = false;
+  };
+  const Face& face(std::uint32_t segment) const noexcept { return faces_[segment]; }
   const SurfaceTraits& traits(std::uint32_t index) const noexcept { return set_.traits[index]; }
 
  private:
@@ -121,7 +129,7 @@ class SurfaceGrid {
   double distance_to(std::uint32_t item, Vector2 point) const noexcept;
 
   SurfaceSet set_;
-  std::vector<Vector2> normals_;  ///< Of the segments, on their left.
+  std::vector<Face> faces_;  ///< Of the segments.
   Vector2 lower_;
   Vector2 upper_;
   double cell_m_ = 1;

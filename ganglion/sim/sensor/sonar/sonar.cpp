@@ -38,8 +38,8 @@ bool Sonar::answers(const Hit& hit, Vector2 unit_direction, double way_m) const 
 }
 
 double Sonar::way_m(const Scene& scene, std::size_t n, double within_m) const noexcept {
-  Vector2 from = scene.mount.position;
-  Vector2 along = scene.ahead * rays_[n].x + scene.ahead.left() * rays_[n].y;
+  Vector2 from = scene.mount().position;
+  Vector2 along = scene.ahead() * rays_[n].x + scene.ahead().left() * rays_[n].y;
   Hit hit = first_hit(scene, rays_[n], n, config_.max_range_m);
   double way_m = hit.range_m;
   for (int bounce = 0; way_m < within_m; ++bounce) {
