@@ -127,11 +127,27 @@ bool Ground::inside_solid(Vector2 point) const noexcept {
 
 std::optional<Hit> Ground::cast(Vector2 from, Vector2 unit_direction, double max_range_m) const noexcept {
   const auto found = surfaces_.cast(from, unit_direction, max_range_m);
-  if (!found) return std::nullopt;
-  const SurfaceTraits& traits = surfaces_.traits(found->traits);
+  return found ? std::optional(hit({from, unit_direction}, *found)) : std::nullopt;
+}
+
+Hit Ground::hit(const Ray& ray, const SurfaceGrid::Found& found) const noexcept {
+  const SurfaceTraits& traits = surfaces_.traits(found.traits);
   // A ray that just brushes a corner may meet the far edge first by rounding, so "from behind" alone proves nothing.
-  if (found->from_behind && traits.solid && inside_solid(from)) return Hit{0, -unit_direction, traits.material};
-  return Hit{found->range_m, found->normal, traits.material};
+  if (found.from_behind && traits.solid && inside_solid(ray.from)) return {0, -ray.direction, traits.material};
+  return {found.range_m, found.normal, traits.material};
+}
+
+Hit Ground::hit(const Ray& ray, std::uint32_t item, double range_m) const noexcept {
+  if (item >= surfaces_.set().segments.size()) return hit(ray, surfaces_.found(ray, item, range_m));
+  const SurfaceGrid::Face& face = surfaces_.face(item);
+  if (face.solid && face.along.cross(ray.direction) < 0 && inside_solid(ray.from)) {
+    return {0, -ray.direction, face.material};
+  }
+  return {range_m, normal_towards(ray, face.normal), face.material};
+}
+
+std::shared_ptr<const NearSurfaces> Ground::near_surfaces(double reach_m, double spread_m) const {
+  return findings_->get<NearSurfaces>(reach_m, spread_m, [&] { return NearSurfaces(surfaces_, reach_m, spread_m); });
 }
 
 double Ground::far_wall_m(Vector2 from, Vector2 unit_direction) const noexcept {

@@ -38,6 +38,9 @@ class World {
   /// past those they are parallel to. A ray that begins inside a solid hits at once: range 0, normal against the ray.
   std::optional<Hit> cast(Vector2 from, Vector2 unit_direction, double max_range_m) const noexcept;
 
+  /// Of what a ray hit so far and the movers within max_range_m the nearest; `best.range_m` is +inf for nothing so far.
+  Hit nearest_mover(const Ray& ray, Hit best, double max_range_m) const noexcept;
+
   struct Slide {
     Vector2 position;
     bool touched = false;

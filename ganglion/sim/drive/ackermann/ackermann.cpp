@@ -102,6 +102,8 @@ Movement Ackermann::move(const Pose2& pose, double step_s) noexcept {
   movement.left_m = way_m - movement.turn_rad * config_.track_m / 2;
   movement.right_m = way_m + movement.turn_rad * config_.track_m / 2;
   movement.effort = std::fabs(throttle_);
+  const double aside = config_.centre_m * curvature_radpm;  // the centre's circle is the wider one
+  movement.path_m = std::fabs(way_m) * std::sqrt(1 + aside * aside);
   return movement;
 }
 

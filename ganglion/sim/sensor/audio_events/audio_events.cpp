@@ -54,7 +54,7 @@ Heard loudest(const Scene& scene, double since_s) noexcept {
   for (const Beacon& beacon : scene.world.ground().plan().beacons) {
     const Beacon::Chirp chirp = beacon.last_chirp(scene.time_s);
     if (chirp.event == 0 || chirp.began_s <= since_s + kTolerance_s) continue;
-    const double loudness = 1 - (beacon.position - scene.mount.position).length() / beacon.sound_range_m;
+    const double loudness = 1 - (beacon.position - scene.mount().position).length() / beacon.sound_range_m;
     if (loudness > heard.loudness) heard = {chirp.event, loudness};
   }
   return heard;

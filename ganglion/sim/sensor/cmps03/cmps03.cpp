@@ -78,7 +78,8 @@ double Cmps03::bias_rad(Vector2 place) const noexcept {
 }
 
 void Cmps03::measure(const Scene& scene, Draws& draws, std::span<double> values) noexcept {
-  const double yaw_rad = scene.mount.yaw.rad() + bias_rad(scene.mount.position) + draws.normal() * config_.noise_rad;
+  const double yaw_rad =
+      scene.mount().yaw.rad() + bias_rad(scene.mount().position) + draws.normal() * config_.noise_rad;
   const double turns = wrap_rad(config_.north.rad() - yaw_rad) / (2 * kPi);
   double steps = std::floor(turns * kSteps + 0.5);
   if (steps < 0) steps += kSteps;

@@ -65,14 +65,15 @@ void Gps::measure(const Scene& scene, Draws& draws, std::span<double> values) no
   values[8] = lost_ ? 0 : 1;
   if (lost_) return;
 
-  const Vector2 place = scene.mount.position + east_ * east_m + north_ * north_m;
+  const Vector2 antenna = scene.mount().position;
+  const Vector2 place = antenna + east_ * east_m + north_ * north_m;
   values[0] = place.x;
   values[1] = place.y;
   values[2] = config_.datum.latitude.deg() + place.dot(north_) * deg_per_m_north_;
   const double longitude_deg = config_.datum.longitude.deg() + place.dot(east_) * deg_per_m_east_;
   values[3] = Angle::from_deg(longitude_deg).wrapped().deg();
-  values[4] = config_.datum.altitude_m + scene.world.ground().plan().floor.height_at(scene.mount.position) + up_m;
-  const Vector2 arm = scene.mount.position - scene.robot.pose.position;
+  values[4] = config_.datum.altitude_m + scene.world.ground().plan().floor.height_at(antenna) + up_m;
+  const Vector2 arm = antenna - scene.robot.pose.position;
   const Vector2 velocity_mps =
       scene.robot.velocity_mps + arm.left() * scene.robot.turn_rate_radps + Vector2{spread_x_mps, spread_y_mps};
   const double speed_mps = velocity_mps.length();

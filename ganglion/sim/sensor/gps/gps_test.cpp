@@ -63,7 +63,8 @@ TEST(Gps, GivesCourseAndSpeedOfItsAntenna) {
   stage.robot.velocity_mps = {};
   stage.robot.turn_rate_radps = 1;
   Scene scene = stage.at({});
-  scene.mount.position = {0.2, 0};  // ahead of the centre: turning left carries it to the left
+  const Mounting ahead{{{0.2, 0}, {}}};
+  scene.mounting = &ahead;  // ahead of the centre: turning left carries it to the left
   const Fix turning = read(*gps, scene);
   EXPECT_NEAR(turning[kSpeed], 0.2, 1e-12);
   EXPECT_NEAR(turning[kCourse], kPi / 2, 1e-12);

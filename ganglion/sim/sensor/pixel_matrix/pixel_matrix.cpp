@@ -38,10 +38,10 @@ double PixelMatrix::brightness(const Colour& colour) const noexcept {
 }
 
 void PixelMatrix::paint_column(const Scene& scene, int column, std::span<double> pixels) const noexcept {
-  const Vector2 ahead = direction(scene.mount.yaw.rad());
+  const Vector2 ahead = scene.ahead(), lens = scene.mount().position;
   const Vector2 in_frame = columns_[static_cast<std::size_t>(column)];
   const Vector2 along = ahead * in_frame.x + ahead.left() * in_frame.y;
-  const auto hit = cast(scene, scene.mount.position, along, config_.reach_m);
+  const auto hit = cast(scene, lens, along, config_.reach_m);
   const double wall_m = hit ? hit->range_m : config_.reach_m;
   double wall = kBackground;
   if (hit) {
@@ -52,7 +52,7 @@ void PixelMatrix::paint_column(const Scene& scene, int column, std::span<double>
     const double fall = fall_[static_cast<std::size_t>(row)];
     double& pixel = pixels[static_cast<std::size_t>(row * kSide + column)];
     if (fall * wall_m > config_.height_m) {
-      pixel = brightness(floor.colour_at(scene.mount.position + along * (config_.height_m / fall)));
+      pixel = brightness(floor.colour_at(lens + along * (config_.height_m / fall)));
     } else {
       pixel = config_.height_m - fall * wall_m <= config_.wall_height_m ? wall : kBackground;
     }
@@ -60,15 +60,16 @@ void PixelMatrix::paint_column(const Scene& scene, int column, std::span<double>
 }
 
 void PixelMatrix::paint_beacon(const Scene& scene, const Beacon& beacon, std::span<double> pixels) const noexcept {
-  const Vector2 away = beacon.position - scene.mount.position;
+  const Pose2 mount = scene.mount();
+  const Vector2 away = beacon.position - mount.position;
   const double range_m = away.length();
   if (!(range_m > 0) || range_m > std::min(beacon.light_range_m, config_.reach_m)) return;
-  const double left_rad = wrap_rad(math::atan2(away.y, away.x) - scene.mount.yaw.rad());
+  const double left_rad = wrap_rad(math::atan2(away.y, away.x) - mount.yaw.rad());
   const double down_rad = math::atan2(config_.height_m - beacon.height_m, range_m) - config_.down.rad();
   const double column = std::floor((0.5 - left_rad / config_.width.rad()) * kSide);
   const double row = std::floor((0.5 + down_rad / config_.height.rad()) * kSide);
   if (!(column >= 0 && column < kSide && row >= 0 && row < kSide)) return;
-  if (cast(scene, scene.mount.position, away * (1 / range_m), range_m)) return;  // something stands before it
+  if (cast(scene, mount.position, away * (1 / range_m), range_m)) return;  // something stands before it
   pixels[static_cast<std::size_t>(row * kSide + column)] = brightness(beacon.colour);
 }
 

@@ -37,26 +37,27 @@ bool Sonar::answers(const Hit& hit, Vector2 unit_direction, double way_m) const 
   return -hit.normal.dot(unit_direction) >= cos_incidence_[static_cast<std::size_t>(hit.material)];
 }
 
-double Sonar::ray_range_m(const Scene& scene, Vector2 unit_direction) const noexcept {
-  Vector2 from = scene.mount.position;
-  double way_m = 0;
-  for (int bounce = 0; bounce <= config_.mirror_bounces; ++bounce) {
-    const auto hit = cast(scene, from, unit_direction, config_.max_range_m - way_m);
-    if (!hit) return kInfinity;
-    way_m += hit->range_m;
-    if (answers(*hit, unit_direction, way_m)) return way_m;
-    from = from + unit_direction * hit->range_m + hit->normal * kLiftOff_m;
-    unit_direction = unit_direction - hit->normal * (2 * hit->normal.dot(unit_direction));
+double Sonar::way_m(const Scene& scene, std::size_t n, double within_m) const noexcept {
+  Vector2 from = scene.mount().position;
+  Vector2 along = scene.ahead() * rays_[n].x + scene.ahead().left() * rays_[n].y;
+  Hit hit = first_hit(scene, rays_[n], n, config_.max_range_m);
+  double way_m = hit.range_m;
+  for (int bounce = 0; way_m < within_m; ++bounce) {
+    if (answers(hit, along, way_m)) return way_m;
+    if (bounce == config_.mirror_bounces) break;
+    from = from + along * hit.range_m + hit.normal * kLiftOff_m;
+    along = along - hit.normal * (2 * hit.normal.dot(along));
+    const auto next = cast(scene, from, along, std::min(config_.max_range_m, within_m) - way_m);
+    if (!next) break;
+    hit = *next;
+    way_m += hit.range_m;
   }
   return kInfinity;
 }
 
 double Sonar::echo_range_m(const Scene& scene) const noexcept {
-  const Vector2 ahead = direction(scene.mount.yaw.rad());
   double nearest_m = kInfinity;
-  for (const Vector2 ray : rays_) {
-    nearest_m = std::min(nearest_m, ray_range_m(scene, ahead * ray.x + ahead.left() * ray.y));
-  }
+  for (std::size_t n = 0; n < rays_.size(); ++n) nearest_m = std::min(nearest_m, way_m(scene, n, nearest_m));
   return nearest_m;
 }
 

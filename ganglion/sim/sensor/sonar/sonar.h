@@ -49,6 +49,7 @@ class Sonar final : public Sensor {
   explicit Sonar(const SonarConfig& config);
   Limits limits(std::size_t channel) const noexcept override;
   double reach_m() const noexcept override { return config_.max_range_m; }
+  std::span<const Vector2> rays() const noexcept override { return rays_; }
   void measure(const Scene& scene, Draws& draws, std::span<double> values) noexcept override;
   void broken(std::span<double> values) const noexcept override;
 
@@ -56,7 +57,8 @@ class Sonar final : public Sensor {
   double echo_range_m(const Scene& scene) const noexcept;
 
  private:
-  double ray_range_m(const Scene& scene, Vector2 unit_direction) const noexcept;
+  /// Length of the way to where ray n is answered, +inf where that is not less than within_m.
+  double way_m(const Scene& scene, std::size_t n, double within_m) const noexcept;
   bool answers(const Hit& hit, Vector2 unit_direction, double way_m) const noexcept;
 
   SonarConfig config_;

@@ -44,7 +44,7 @@ Result<std::unique_ptr<Sensor>> make(const Parameters& parameters) {
 }  // namespace
 
 double Thermometer::air_C(const Scene& scene) const noexcept {
-  return config_.air_C + scene.world.ground().plan().floor.warmer_C_at(scene.mount.position);
+  return config_.air_C + scene.world.ground().plan().floor.warmer_C_at(scene.mount().position);
 }
 
 Result<void> Thermometer::reset(const Scene& scene, Draws) {

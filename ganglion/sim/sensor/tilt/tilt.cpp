@@ -55,9 +55,9 @@ struct Attitude {
 };
 
 Attitude attitude_of(const Scene& scene) noexcept {
-  const Vector2 gradient = scene.world.ground().plan().floor.gradient_at(scene.mount.position);
+  const Vector2 gradient = scene.world.ground().plan().floor.gradient_at(scene.mount().position);
   if (gradient == Vector2{}) return {};
-  const Vector2 ahead = direction(scene.mount.yaw.rad());
+  const Vector2 ahead = scene.ahead();
   const double rise = gradient.dot(ahead);
   return {math::atan2(gradient.dot(ahead.left()), std::sqrt(1 + rise * rise)), math::atan2(-rise, 1)};
 }
