@@ -67,7 +67,7 @@ Result<void> Simulation::reset(std::uint64_t seed, std::uint32_t episode) {
     neighbours_.put(i, robots_[i].body.disc());
   }
   neighbours_.sort();
-  lookout_->call_none();
+  lookout_->call_first(robots_.front().devices);
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     std::vector<Device>& devices = robots_[i].devices;
     lookout_->begin(i, robots_[i].body.truth(), 0, 0);
