@@ -26,11 +26,11 @@ inline constexpr Mounting kCentred{};
 /// All that a sensor may look at.
 struct Scene {
   const World& world;
-  const Truth& robot;            ///< The robot that carries it.
-  Vector2 heading{1, 0};         ///< The unit vector of the robot's yaw.
+  const Truth& robot;                    ///< The robot that carries it.
+  Vector2 heading{1, 0};                 ///< The unit vector of the robot's yaw.
   const Mounting* mounting = &kCentred;  ///< Of the sensor on the robot.
-  std::span<const Disc> others;  ///< The other robots near enough to matter, ordered by index.
-  double radius_m = 0;           ///< Of the robot's own disc.
+  std::span<const Disc> others;          ///< The other robots near enough to matter, ordered by index.
+  double radius_m = 0;                   ///< Of the robot's own disc.
   std::uint32_t tick = 0;
   double time_s = 0;
   std::span<const Hit> hits{};  ///< What the sensor's rays() meet, where they were cast beforehand.
@@ -48,7 +48,8 @@ struct Scene {
 /// The first surface along a ray, other robots (rough, and not seen from within) included. None within max_range_m.
 std::optional<Hit> cast(const Scene& scene, Vector2 from, Vector2 unit_direction, double max_range_m) noexcept;
 
-/// What a ray of a sensor, a unit vector in its own frame, meets first. range_m is +inf where nothing is within reach_m.
+/// What a ray of a sensor, a unit vector in its own frame, meets first. range_m is +inf where nothing is within
+/// reach_m.
 Hit cast_own(const Scene& scene, Vector2 ray, double reach_m) noexcept;
 /// The same of ray `n` of its rays(), which may be cast already.
 inline Hit first_hit(const Scene& scene, Vector2 ray, std::size_t n, double reach_m) noexcept {
@@ -71,8 +72,8 @@ class Sensor {
 
   /// Between what the finite values of the n-th channel lie.
   virtual Limits limits(std::size_t channel) const noexcept = 0;
-  /// The rays it casts whenever it fires, from its mount and up to reach_m(): unit vectors in its own frame, in the order
-  /// of their bearings counter-clockwise. They are cast together with those of other sensors: see first_hit().
+  /// The rays it casts whenever it fires, from its mount and up to reach_m(): unit vectors in its own frame, in the
+  /// order of their bearings counter-clockwise. They are cast together with those of other sensors: see first_hit().
   virtual std::span<const Vector2> rays() const noexcept { return {}; }
   /// How far it sees; 0 = not at all. Rays that it casts itself, ways there included, end no farther off either.
   virtual double reach_m() const noexcept { return 0; }

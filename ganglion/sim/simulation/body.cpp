@@ -12,7 +12,7 @@ constexpr double kTouchTolerance_m = 1e-6;  // discs this close to each other to
 constexpr double kClear_m = 1e-6;           // left over where nothing is met
 constexpr double kLookAhead_m = 0.5;        // beyond a step's way when the ground is looked at: for the next steps
 constexpr double kRounding_m = 1e-12;
-constexpr double kGraze_mps = 1e-3;         // slower approaches are no contacts to count
+constexpr double kGraze_mps = 1e-3;    // slower approaches are no contacts to count
 constexpr double kAlongNormal = 0.99;  // cosine between a contact's normal and the line from the robot that was hit
 
 }  // namespace

@@ -31,8 +31,8 @@ class Neighbours {
   void lay_out() noexcept;
 
   std::vector<Disc> discs_;
-  std::vector<Vector2> sorted_at_;    // where each was when it was sorted
-  double moved_m_ = 0;                // the farthest that any has moved since
+  std::vector<Vector2> sorted_at_;  // where each was when it was sorted
+  double moved_m_ = 0;              // the farthest that any has moved since
   Vector2 lower_;
   double per_m_ = 1;  // cells a metre
   int columns_ = 1;

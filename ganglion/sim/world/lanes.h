@@ -59,9 +59,9 @@ struct Stance {
 
 /// What rays from one point between two directions, less than half a turn apart, may meet.
 struct Wedge {
-  double x, y;               ///< The point.
-  double right_x, right_y;   ///< Unit; the first ray.
-  double left_x, left_y;     ///< Unit; the last ray, counter-clockwise of the first.
+  double x, y;              ///< The point.
+  double right_x, right_y;  ///< Unit; the first ray.
+  double left_x, left_y;    ///< Unit; the last ray, counter-clockwise of the first.
 };
 
 /// Surfaces picked by their places in the columns.
@@ -83,12 +83,12 @@ struct Lanes {
   void (*meet_segments)(const RayColumns&, const SegmentColumns&) noexcept;
   void (*meet_chosen_segments)(const RayColumns&, const SegmentColumns&, Chosen chosen) noexcept;
   void (*meet_circles)(const RayColumns&, const CircleColumns&, Within) noexcept;
-  void (*meet_chosen_circles)(const RayColumns&, const CircleColumns&, Within,
-                              Chosen chosen) noexcept;
+  void (*meet_chosen_circles)(const RayColumns&, const CircleColumns&, Within, Chosen chosen) noexcept;
   /// One ray, whatever `count` says, against many surfaces side by side.
   void (*meet_segments_alone)(const RayColumns&, const SegmentColumns&) noexcept;
   void (*meet_circles_alone)(const RayColumns&, const CircleColumns&, Within) noexcept;
-  /// Puts down the places of the surfaces that rays of the wedge may meet; there must be room for all. Returns how many.
+  /// Puts down the places of the surfaces that rays of the wedge may meet; there must be room for all. Returns how
+  /// many.
   std::size_t (*choose_segments)(const Wedge&, const SegmentColumns&, std::uint32_t* chosen) noexcept;
   std::size_t (*choose_circles)(const Wedge&, const CircleColumns&, std::uint32_t* chosen) noexcept;
 };

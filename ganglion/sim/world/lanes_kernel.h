@@ -100,7 +100,8 @@ template <class V, class Meet>
 /// Turns rays from the robot's frame into the world's.
 template <class V>
 void aim(const AimColumns& aims, const Stance& stance, const RayColumns& rays) noexcept {
-  const V x = all<V>(stance.x), y = all<V>(stance.y), ahead_x = all<V>(stance.ahead_x), ahead_y = all<V>(stance.ahead_y);
+  const V x = all<V>(stance.x), y = all<V>(stance.y), ahead_x = all<V>(stance.ahead_x),
+          ahead_y = all<V>(stance.ahead_y);
   for (std::size_t at = 0; at < rays.count; at += kWidth<V>) {
     const V mount_x = load<V>(aims.from_x + at), mount_y = load<V>(aims.from_y + at);
     const V along_x = load<V>(aims.along_x + at), along_y = load<V>(aims.along_y + at);
@@ -120,8 +121,7 @@ void meet_segments(const RayColumns& rays, const SegmentColumns& s) noexcept {
   });
 }
 template <class V>
-void meet_chosen_segments(const RayColumns& rays, const SegmentColumns& s,
-                          Chosen chosen) noexcept {
+void meet_chosen_segments(const RayColumns& rays, const SegmentColumns& s, Chosen chosen) noexcept {
   each_group<V>(rays, [&](RayLanes<V>& ray) {
     for (std::size_t k = 0; k < chosen.count; ++k) meet_nth(ray, s, chosen.places[k]);
   });
@@ -133,8 +133,7 @@ void meet_circles_as(const RayColumns& rays, const CircleColumns& c) noexcept {
   });
 }
 template <Within within, class V>
-void meet_chosen_circles_as(const RayColumns& rays, const CircleColumns& c,
-                            Chosen chosen) noexcept {
+void meet_chosen_circles_as(const RayColumns& rays, const CircleColumns& c, Chosen chosen) noexcept {
   each_group<V>(rays, [&](RayLanes<V>& ray) {
     for (std::size_t k = 0; k < chosen.count; ++k) meet_nth<within>(ray, c, chosen.places[k]);
   });
@@ -144,8 +143,7 @@ void meet_circles(const RayColumns& rays, const CircleColumns& c, Within within)
   within == Within::Seen ? meet_circles_as<Within::Seen, V>(rays, c) : meet_circles_as<Within::Unseen, V>(rays, c);
 }
 template <class V>
-void meet_chosen_circles(const RayColumns& rays, const CircleColumns& c, Within within,
-                         Chosen chosen) noexcept {
+void meet_chosen_circles(const RayColumns& rays, const CircleColumns& c, Within within, Chosen chosen) noexcept {
   within == Within::Seen ? meet_chosen_circles_as<Within::Seen, V>(rays, c, chosen)
                          : meet_chosen_circles_as<Within::Unseen, V>(rays, c, chosen);
 }
@@ -190,8 +188,14 @@ void meet_circles_alone(const RayColumns& rays, const CircleColumns& c, Within w
 template <class V>
 struct WedgeLanes {
   explicit WedgeLanes(const Wedge& w) noexcept
-      : x(all<V>(w.x)), y(all<V>(w.y)), right_x(all<V>(w.right_x)), right_y(all<V>(w.right_y)),
-        left_x(all<V>(w.left_x)), left_y(all<V>(w.left_y)), mid_x(right_x + left_x), mid_y(right_y + left_y) {}
+      : x(all<V>(w.x)),
+        y(all<V>(w.y)),
+        right_x(all<V>(w.right_x)),
+        right_y(all<V>(w.right_y)),
+        left_x(all<V>(w.left_x)),
+        left_y(all<V>(w.left_y)),
+        mid_x(right_x + left_x),
+        mid_y(right_y + left_y) {}
   V x, y, right_x, right_y, left_x, left_y, mid_x, mid_y;
 };
 

@@ -6,8 +6,8 @@
 namespace ganglion::sim {
 namespace {
 
-constexpr double kMargin_m = 1e-6;      // by which the lists are generous
-constexpr double kMaxCells = 1 << 18;   // larger cells are taken rather than more
+constexpr double kMargin_m = 1e-6;     // by which the lists are generous
+constexpr double kMaxCells = 1 << 18;  // larger cells are taken rather than more
 constexpr double kHalfDiagonal = 0.7072;
 
 Box2 box_of(const SurfaceSet& set, std::size_t item) noexcept {
@@ -60,7 +60,7 @@ NearSurfaces::NearSurfaces(const SurfaceGrid& surfaces, double reach_m, double s
   }
   items_.resize(total);
   const std::vector<Box2> outlines = outlines_of(set);
-  auto fill = [&](std::size_t first, std::size_t last, std::uint8_t Cell::* count, auto wanted) {
+  auto fill = [&](std::size_t first, std::size_t last, std::uint8_t Cell::*count, auto wanted) {
     for (std::size_t item = first; item < last; ++item) {
       each_near_cell(set, item, [&](std::size_t at) {
         Cell& cell = cells_[at];
@@ -94,7 +94,8 @@ void NearSurfaces::lay_out(const SurfaceGrid& surfaces) {
     needed += (std::fabs(along.x) + around_m) * (std::fabs(along.y) + around_m) / (cell_m_ * cell_m_);
   }
   lower_ = box.lower;
-  const int columns = static_cast<int>(box.width_m() / cell_m_) + 1, rows = static_cast<int>(box.height_m() / cell_m_) + 1;
+  const int columns = static_cast<int>(box.width_m() / cell_m_) + 1,
+            rows = static_cast<int>(box.height_m() / cell_m_) + 1;
   if (needed > 4.0 * kMaxListed * columns * rows) return;
   columns_ = columns;
   rows_ = rows;

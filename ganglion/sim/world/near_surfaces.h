@@ -21,8 +21,8 @@ class NearSurfaces {
 
   /// Numbers as in SurfaceSet: segments, then rounds, each in rising order.
   struct List {
-    std::span<const std::uint32_t> facing;    ///< Segments.
-    std::span<const std::uint32_t> averted;   ///< Segments that only a ray reflected elsewhere can be first to meet.
+    std::span<const std::uint32_t> facing;   ///< Segments.
+    std::span<const std::uint32_t> averted;  ///< Segments that only a ray reflected elsewhere can be first to meet.
     std::span<const std::uint32_t> rounds;
     bool listed = false;  ///< False: there is no list for the place.
   };

@@ -7,8 +7,8 @@
 
 namespace ganglion::sim {
 
-/// The rays of all sensors of a robot, laid out once in its own frame, in columns: several go through the processor side
-/// by side. Groups of them are cast from wherever the robot stands.
+/// The rays of all sensors of a robot, laid out once in its own frame, in columns: several go through the processor
+/// side by side. Groups of them are cast from wherever the robot stands.
 class RayFan {
  public:
   /// Gives the ray's place in the fan. Surfaces at max_range_m > 0 itself count.
@@ -33,7 +33,7 @@ class RayFan {
   RayColumns columns(const Group& group) noexcept;
   Wedge wedge(const Group& group) const noexcept;
 
-  std::vector<double> mount_x_, mount_y_, bearing_x_, bearing_y_, limit_m_;     // on the robot
+  std::vector<double> mount_x_, mount_y_, bearing_x_, bearing_y_, limit_m_;   // on the robot
   std::vector<double> from_x_, from_y_, along_x_, along_y_, range_m_, name_;  // in the world
   std::vector<Hit> hits_;
   std::vector<Group> groups_;

@@ -77,7 +77,8 @@ void Sight::add_other(const Disc& disc) noexcept {
   others_.a[n] = disc.position.x;
   others_.b[n] = disc.position.y;
   others_.c[n] = disc.radius_m;
-  if (n % kLanePadding == 0) std::fill_n(others_.c.begin() + static_cast<std::ptrdiff_t>(n) + 1, kLanePadding - 1, kNaN);
+  if (n % kLanePadding == 0)
+    std::fill_n(others_.c.begin() + static_cast<std::ptrdiff_t>(n) + 1, kLanePadding - 1, kNaN);
 }
 
 SegmentColumns Sight::segments(std::size_t count) const noexcept {

@@ -52,9 +52,9 @@ class Sight {
   double covered_m_;
   Vector2 centre_;
   bool listed_ = false;
-  std::size_t facing_ = 0;          // the first segments; only mirrored rays look at the others
-  Columns segments_;                // from x, from y, to x, to y
-  Columns rounds_, others_;         // x, y, radius
+  std::size_t facing_ = 0;                        // the first segments; only mirrored rays look at the others
+  Columns segments_;                              // from x, from y, to x, to y
+  Columns rounds_, others_;                       // x, y, radius
   std::vector<std::uint32_t> item_, round_item_;  // their numbers on the ground
   std::span<const std::uint32_t> averted_;        // segments still to be added, once a mirrored ray is cast
   std::vector<std::uint32_t> chosen_;
