@@ -63,7 +63,7 @@ class Ground {
   GroundPlan plan_;
   Box2 bounds_;
   SurfaceGrid surfaces_;
-  std::unique_ptr<Findings> findings_ = std::make_unique<Findings>();
+  std::shared_ptr<Findings> findings_ = std::make_shared<Findings>();  // copies share it
 };
 
 }  // namespace ganglion::sim
