@@ -66,7 +66,7 @@ void read_command(Table& table, std::vector<std::string>& names, RobotDescriptio
 }  // namespace
 
 void read_described(Table& root, RobotDescription& description) {
-  for (const char* key : {"drive", "sensor", "energy", "substep_s"}) {
+  for (const char* key : {"drive", "sensor", "energy", "battery", "substep_s"}) {
     if (root.has(key)) {
       root.problem(key, ErrorCode::BadParameter,
                    "{} does not go with [[sensation]] and [[command]]: a robot is either simulated or described", key);

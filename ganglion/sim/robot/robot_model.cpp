@@ -54,6 +54,8 @@ void read_body(Table& root, RobotModel& model) {
   description.width_m = body.number("width_m", kSize);
   const double half_diagonal_m =
       std::sqrt(description.length_m * description.length_m + description.width_m * description.width_m) / 2;
+  model.climb_rad = Angle::from_deg(body.number("climb_deg", 90, Range{0, 90})).rad();
+  model.tip_rad = Angle::from_deg(body.number("tip_deg", 90, Range{0, 90})).rad();
   const double radius_m = body.number("radius_m", half_diagonal_m, kSize);
   if (root.problems().size() == before) model.radius_m = radius_m;  // else mounts cannot be judged
 }
@@ -123,6 +125,19 @@ void read_energy(Table table, EnergyModel& energy) {
   energy = {read.real("idle_W"), read.real("drive_W"), read.real("travel_J_per_m"), read.real("contact_J")};
 }
 
+void read_battery(Table& root, BatteryModel& battery) {
+  const bool present = root.has("battery");
+  Table table = root.table("battery");
+  if (!present) return;
+  const Parameters read = table.parameters(battery_parameters());
+  battery = {read.real("capacity_J"), read.real("full_V"), read.real("empty_V"), read.real("resistance_ohm"),
+             read.real("charge")};
+  if (battery.empty_V > battery.full_V) {
+    table.problem("empty_V", ErrorCode::BadParameter, "empty_V is {}, must be <= full_V = {}", battery.empty_V,
+                  battery.full_V);
+  }
+}
+
 void read_simulated(Table& root, const SimKinds& kinds, RobotModel& model) {
   if (!root.has("drive")) {
     root.problem("drive", ErrorCode::MissingKey,
@@ -132,6 +147,7 @@ void read_simulated(Table& root, const SimKinds& kinds, RobotModel& model) {
     read_drive(root.table("drive"), kinds, model);
   }
   read_energy(root.table("energy"), model.energy);
+  read_battery(root, model.battery);
   model.substep_s = root.number("substep_s", 0.01, Range{1e-4, 10});
   std::vector<std::string> ids;
   each_table(root, "sensor", [&](Table& table) { read_sensor(table, kinds, ids, model); });

@@ -34,6 +34,39 @@ length_m = 0.1
 width_m = 0.1
 path = [[0, 0], [1, 0]]
 speed_mps = 1
+
+[[mover]]
+id = "disc_that_strolls"
+radius_m = 0.1
+x_m = 0
+y_m = 0
+area = [0, 0, 1, 1]
+speed_mps = 1
+
+[[floor]]
+points = [[0, 0], [1, 0], [0, 1]]
+colour = "#000000"
+
+[[floor]]
+x_m = 0
+y_m = 0
+radius_m = 1
+
+[[floor]]
+x_m = 0
+y_m = 0
+length_m = 1
+width_m = 1
+
+[[bump]]
+points = [[0, 0], [1, 0]]
+
+[[beacon]]
+id = "beacon"
+x_m = 0
+y_m = 0
+colour = "#000000"
+word = [1]
 )";
 
 }  // namespace
