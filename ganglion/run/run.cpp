@@ -130,11 +130,11 @@ std::uint32_t ticks_of(const Prepared& prepared) {
   return static_cast<std::uint32_t>(std::max(1.0, std::round(prepared.experiment.duration_s / prepared.step_s)));
 }
 
-/// Progress along the course that the same robots make from the same poses where nothing stands in their way and no
-/// fault befalls them.
+/// Progress along the course that the same robots, faults included, make from the same poses where nothing stands in
+/// their way.
 Result<std::vector<FreeGround>> drive_free_ground(const Prepared& prepared, const RunOptions& options,
                                                   const std::vector<Pose2>& starts) {
-  auto course = make_course(prepared, options, prepared.open_ground, starts, {});
+  auto course = make_course(prepared, options, prepared.open_ground, starts, prepared.experiment.faults);
   if (!course) return tl::unexpected<Error>(course.error());
   std::vector<FreeGround> progress(starts.size());
   const std::uint32_t ticks = ticks_of(prepared);

@@ -82,7 +82,8 @@ double HoldHeading::held_target_rad(double now_s) const noexcept {
 Command HoldHeading::without_heading(const Feedback& feedback, double share) const noexcept {
   const bool blind = share == 0 || feedback.tick.time_s - heading_s_ > config_.patience_s + kInstant_s;
   publish(kUnknown, kUnknown, false, blind);
-  return blind ? subsumption::tracks(0, 0) : last_;
+  if (!blind) return last_;
+  return subsumption::tracks(share * config_.blind_share * config_.forward_duty, 0);
 }
 
 Command HoldHeading::steer(double error_rad, double share) const noexcept {

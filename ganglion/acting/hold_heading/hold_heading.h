@@ -23,6 +23,7 @@ struct HoldHeadingConfig {
   double calm_s = 5.0;
   double agreement_deg = 5;
   double patience_s = 0.5;
+  double blind_share = 0.5;
   double slow_range_m = 0.60;
   double least_share = 0.3;
   double one_sonar_share = 0.5;
@@ -39,9 +40,10 @@ struct HoldHeadingConfig {
 /// Command   tracks {left, right}, duty; a turn proportional to the error of heading, slower ahead the larger it is.
 /// Output    original and target [rad] (NaN until known): the course wanted in the end, and now; error = target -
 /// heading
-///           [rad], counter-clockwise; held: 1 while a held course is steered; blind: 1 while it stops for want of
-///           readings.
-/// Missing   no heading: the last command for patience_s, then it stops and is blind. Sonars, where wired: one dead
+///           [rad], counter-clockwise; held: 1 while a held course is steered; blind: 1 while it goes without a
+///           heading, or stops for want of sonars.
+/// Missing   no heading: the last command for patience_s, then straight on at blind_share of the speed ahead, and it is
+///           blind: what avoids and escapes still works. Sonars, where wired: one dead
 ///           (NaN): one_sonar_share of the speed ahead; all dead: it stops and is blind. Nothing in range: full speed.
 /// Source    Alonso, "Desarrollo de un robot con arquitectura de subsuncion (robot Nimrod)", sections 3, 8 and the
 ///           program of section 5 (SP_RUMBO, RUMBO, CONTADOR; NAVEGAR, AJUSTE, AVANCE). Gain: 3 of 1200 counts per deg.

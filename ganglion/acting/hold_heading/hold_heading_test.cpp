@@ -330,7 +330,7 @@ TEST(HoldHeading, SlowsNearObstacles) {
   EXPECT_NEAR(forward_of(robot.step(0)), 1.0 / 3, 1e-12);
 }
 
-TEST(HoldHeading, KeepsOnForHalfASecondWithoutACompassThenStops) {
+TEST(HoldHeading, KeepsOnForHalfASecondWithoutACompassThenGoesStraightAtHalfSpeed) {
   Recommended robot;
   robot.step(20);
   for (int i = 1; i <= 5; ++i) {
@@ -338,8 +338,15 @@ TEST(HoldHeading, KeepsOnForHalfASecondWithoutACompassThenStops) {
     ASSERT_EQ(robot.bench().out("blind"), 0);
   }
   const Command command = robot.step(kNan);
-  EXPECT_EQ(command.values[0], 0);
-  EXPECT_EQ(command.values[1], 0);
+  EXPECT_NEAR(command.values[0], 0.5 / 3, 1e-12);
+  EXPECT_NEAR(command.values[1], 0.5 / 3, 1e-12);
+  EXPECT_EQ(robot.bench().out("blind"), 1);
+}
+
+TEST(HoldHeading, StandsWithoutACompassWhereItIsToldTo) {
+  Recommended robot({{"blind_share", 0.0}});
+  for (int i = 0; i < 7; ++i) robot.step(kNan);
+  EXPECT_EQ(forward_of(robot.step(kNan)), 0);
   EXPECT_EQ(robot.bench().out("blind"), 1);
 }
 

@@ -54,7 +54,8 @@ constexpr std::array kPorts = {
     PortDescriptor{.name = "blind",
                    .role = PortRole::Output,
                    .type = ValueType::Discrete,
-                   .help = {"1 while it stops for want of readings", "1 mientras se detiene por falta de lecturas"}},
+                   .help = {"1 while it goes without a heading, or stops for want of sonars",
+                            "1 mientras va sin brújula o se detiene por falta de sonares"}},
 };
 
 constexpr std::array kParameters = {
@@ -139,6 +140,13 @@ constexpr std::array kParameters = {
                         .help = {"Keeps the last command for so long without a heading",
                                  "Mantiene el último mando este tiempo sin brújula"},
                         .ours = true},
+    ParameterDescriptor{.name = "blind_share",
+                        .preset = 0.5,
+                        .min = 0,
+                        .max = 1,
+                        .help = {"Share of the speed ahead, straight on, once the heading is lost; 0 = it stops",
+                                 "Parte de la velocidad, todo recto, cuando falta la brújula; 0 = se detiene"},
+                        .ours = true},
     ParameterDescriptor{.name = "slow_range_m",
                         .unit = "m",
                         .preset = 0.60,
@@ -179,6 +187,7 @@ Result<HoldHeadingConfig> HoldHeadingConfig::from(const Parameters& parameters) 
   config.calm_s = parameters.real("calm_s");
   config.agreement_deg = parameters.real("agreement_deg");
   config.patience_s = parameters.real("patience_s");
+  config.blind_share = parameters.real("blind_share");
   config.slow_range_m = parameters.real("slow_range_m");
   config.least_share = parameters.real("least_share");
   config.one_sonar_share = parameters.real("one_sonar_share");
