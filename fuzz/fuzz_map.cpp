@@ -17,9 +17,10 @@ void read_image(std::string_view bytes) {
   const auto image = sim::parse_pgm(bytes, "a.pgm", kMaxPixels);
   if (!image) return;
   must(image->values.size() == static_cast<std::size_t>(image->columns) * image->rows, "every pixel is there");
-  std::vector<int> shades(static_cast<std::size_t>(image->max_value) + 1);
 #ifdef GANGLION_PLANTED_BUG
-  shades.resize(256);  // "grey images have eight bits"
+  std::vector<int> shades(256);  // "grey images have eight bits"
+#else
+  std::vector<int> shades(static_cast<std::size_t>(image->max_value) + 1);
 #endif
   for (const std::uint16_t value : image->values) ++shades.data()[value];
 }

@@ -38,6 +38,8 @@ void seed_toml(const fs::path& experiments, const fs::path& folder) {
 void seed_map(const fs::path& folder) {
   const std::string plain = "P2\n# a map\n3 2\n255\n254 254 0\n205 254 0\n";
   const std::string binary = std::string("P5\n4 2\n255\n") + "\xfe\xfe\xfe\x01\x02\x03\xcd\xcd";
+  const std::string deep =
+      std::string("P5 2 2 65535\n") + std::string("\0\1\0\xc8\0\0\0\x10", 8);  // dark: all below 256
   const std::string yaml =
       "image: map.pgm\nresolution: 0.05\norigin: [-1.0, 2.0, 0.5]\nnegate: 0\noccupied_thresh: 0.65\n"
       "free_thresh: 0.196\nmode: trinary\n";
@@ -46,6 +48,7 @@ void seed_map(const fs::path& folder) {
       "negate: 1\noccupied_thresh: 0.5\nfree_thresh: 0.5\n";
   keep(folder / "plain", '\0' + plain);
   keep(folder / "binary", '\0' + binary);
+  keep(folder / "deep", '\0' + deep);
   keep(folder / "yaml", '\1' + yaml);
   keep(folder / "listed", '\1' + listed);
   keep(folder / "both", '\2' + yaml + '\0' + binary);

@@ -23,6 +23,7 @@ int main(int argc, char** argv) {
   ganglion::add_plot(program, code);
   ganglion::add_runs(program, code);
   ganglion::add_experience(program, code);
+  ganglion::add_schema(program, code);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -22,6 +22,13 @@ struct StreamId {
 class Draws {
  public:
   Draws(const StreamId& stream, std::uint32_t tick) noexcept;
+  /// The draws of the same stream at another tick, from the first.
+  Draws at(std::uint32_t tick) const noexcept {
+    Draws other = *this;
+    other.counter_[1] = tick;
+    other.draw_ = 0;
+    return other;
+  }
   /// 64 random bits.
   std::uint64_t bits() noexcept;
   /// In [0, 1), a multiple of 2^-53.

@@ -53,6 +53,10 @@ struct Experiment {
 Experiment read_experiment(const std::filesystem::path& path, const std::vector<config::Override>& overrides,
                            Problems& problems, const ExperimentFiles& instead = {});
 
+/// The same from a text, without --set. `outline` takes down what was asked.
+Experiment parse_experiment(std::string_view text, const std::string& file_name, Problems& problems,
+                            config::Outline* outline = nullptr);
+
 /// Every file the experiment reads, those named by other files included.
 std::vector<std::filesystem::path> input_files(const ExperimentFiles& files);
 

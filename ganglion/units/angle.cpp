@@ -5,7 +5,8 @@
 namespace ganglion {
 
 double wrap_rad(double rad) noexcept {
-  double turned = std::fmod(rad, 2 * kPi);  // exact in IEEE 754
+  double turned = rad;
+  if (!(std::fabs(rad) < 2 * kPi)) turned = std::fmod(rad, 2 * kPi);  // exact in IEEE 754, but slow
   if (turned > kPi) turned -= 2 * kPi;
   if (turned <= -kPi) turned += 2 * kPi;
   return turned;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string_view>
 
@@ -16,6 +17,7 @@ struct Movement {
   double left_m = 0;       ///< Way of the wheels' rims.
   double right_m = 0;
   double effort = 0;  ///< Share of full power taken, in [0, 1].
+  double path_m = 0;  ///< Length of the centre's path; a curve is longer than its displacement.
 };
 
 /// Moves a simulated robot. The body decides what comes of it: walls block, and the drive is told by feel().
@@ -35,6 +37,11 @@ class Drive {
   virtual void command(std::span<const double> values, const Pose2& pose, double step_s, bool fresh) noexcept = 0;
   /// The next sub-step, from where the body is.
   virtual Movement move(const Pose2& pose, double step_s) noexcept = 0;
+  /// The share of its full voltage that the battery gives from now on, in [0, 1]; 1 where there is no battery.
+  virtual void supply(double share) noexcept { static_cast<void>(share); }
+  /// The centre's speed if it is the same in all sub-steps to come, which are exact then however long they are; +inf
+  /// where the drive cannot promise that, and short sub-steps are taken.
+  virtual double steady_mps() const noexcept { return std::numeric_limits<double>::infinity(); }
   /// What the last sub-step ran into.
   virtual void feel(bool touched) noexcept { static_cast<void>(touched); }
 };

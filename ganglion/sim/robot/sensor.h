@@ -10,25 +10,58 @@
 #include "ganglion/module/component.h"
 #include "ganglion/random/draws.h"
 #include "ganglion/sim/robot/truth.h"
-#include "ganglion/sim/world/world.h"
+#include "ganglion/sim/world/sight.h"
 
 namespace ganglion::sim {
 
 class TrainerLog;
 
+/// Where a sensor sits on its robot.
+struct Mounting {
+  Pose2 pose{};
+  Vector2 ahead{1, 0};  ///< The unit vector of its yaw.
+};
+inline constexpr Mounting kCentred{};
+
+/// A ping of the same robot, sent while a sensor listens.
+struct Ping {
+  const Mounting* mounting = &kCentred;  ///< Of the sensor that sends it.
+  double cos_half_cone = 1;
+};
+
 /// All that a sensor may look at.
 struct Scene {
   const World& world;
-  const Truth& robot;            ///< The robot that carries it.
-  Pose2 mount{};                 ///< The sensor's own pose in the world.
-  std::span<const Disc> others;  ///< The other robots near enough to matter, ordered by index.
-  double radius_m = 0;           ///< Of the robot's own disc.
+  const Truth& robot;                    ///< The robot that carries it.
+  Vector2 heading{1, 0};                 ///< The unit vector of the robot's yaw.
+  const Mounting* mounting = &kCentred;  ///< Of the sensor on the robot.
+  std::span<const Disc> others;          ///< The other robots near enough to matter, ordered by index.
+  double radius_m = 0;                   ///< Of the robot's own disc.
   std::uint32_t tick = 0;
   double time_s = 0;
+  std::span<const Hit> hits{};    ///< What the sensor's rays() meet, where they were cast beforehand.
+  std::span<const Ping> pings{};  ///< Sent by sensors of the robot that fire now, its own among them.
+  Sight* sight = nullptr;         ///< What the robot sees, gathered beforehand: the same as `world` and `others` hold.
+
+  /// A vector given in the robot's frame, in the world's.
+  Vector2 turned(Vector2 on_robot) const noexcept { return heading * on_robot.x + heading.left() * on_robot.y; }
+  /// The sensor's own pose in the world, and the unit vector of its yaw.
+  Pose2 mount() const noexcept {
+    return {robot.pose.position + turned(mounting->pose.position), (robot.pose.yaw + mounting->pose.yaw).wrapped()};
+  }
+  Vector2 ahead() const noexcept { return turned(mounting->ahead); }
 };
 
-/// The first surface along a ray, other robots (rough) included. None within max_range_m.
+/// The first surface along a ray, other robots (rough, and not seen from within) included. None within max_range_m.
 std::optional<Hit> cast(const Scene& scene, Vector2 from, Vector2 unit_direction, double max_range_m) noexcept;
+
+/// What a ray of a sensor, a unit vector in its own frame, meets first. range_m is +inf where nothing is within
+/// reach_m.
+Hit cast_own(const Scene& scene, Vector2 ray, double reach_m) noexcept;
+/// The same of ray `n` of its rays(), which may be cast already.
+inline Hit first_hit(const Scene& scene, Vector2 ray, std::size_t n, double reach_m) noexcept {
+  return scene.hits.empty() ? cast_own(scene, ray, reach_m) : scene.hits[n];
+}
 
 struct Limits {
   double min = -std::numeric_limits<double>::infinity();
@@ -46,8 +79,13 @@ class Sensor {
 
   /// Between what the finite values of the n-th channel lie.
   virtual Limits limits(std::size_t channel) const noexcept = 0;
-  /// How far it sees other robots; 0 = not at all.
+  /// The rays it casts whenever it fires, from its mount and up to reach_m(): unit vectors in its own frame, in the
+  /// order of their bearings counter-clockwise. They are cast together with those of other sensors: see first_hit().
+  virtual std::span<const Vector2> rays() const noexcept { return {}; }
+  /// How far it sees; 0 = not at all. Rays that it casts itself, ways there included, end no farther off either.
   virtual double reach_m() const noexcept { return 0; }
+  /// Cosine of half the cone of what it sends when it fires; none if it only listens.
+  virtual std::optional<double> ping_cos_half_cone() const noexcept { return std::nullopt; }
   /// An episode begins. Fails where the scene makes no sense to it.
   virtual Result<void> reset(const Scene&, Draws) { return {}; }
   /// Whether it wants to be told how time goes by between firings.

@@ -31,8 +31,12 @@ struct Stage {
   /// The scene of a sensor at that pose.
   Scene at(const Pose2& pose, double time_s = 0) {
     robot.pose = pose;
-    return {
-        .world = world, .robot = robot, .mount = pose, .others = others, .radius_m = 0.1, .tick = 0, .time_s = time_s};
+    return {.world = world,
+            .robot = robot,
+            .heading = direction(pose.yaw.rad()),
+            .others = others,
+            .radius_m = 0.1,
+            .time_s = time_s};
   }
   World world;
   Truth robot;

@@ -10,18 +10,34 @@ namespace {
 /// sin(x) / x, also near 0.
 double sinc(double x) noexcept { return std::fabs(x) < 1e-4 ? 1 - x * x / 6 : math::sin(x) / x; }
 
+constexpr double kSettled_mps = 1e-6;  // a lag never quite ends
+
 }  // namespace
 
-void WheelPair::reset() noexcept { left_ = right_ = Side{}; }
+void WheelPair::reset() noexcept {
+  left_ = right_ = Side{};
+  supply_ = 1;
+}
 
 void WheelPair::command(double left_duty, double right_duty) noexcept {
   left_.duty = left_duty;
   right_.duty = right_duty;
 }
 
-double WheelPair::roll(Side& side, double gain, double step_s) noexcept {
+double WheelPair::wanted_mps(const Side& side, double gain) const noexcept {
   const double moving_duty = std::fabs(side.duty) < config_.dead_zone ? 0 : side.duty;
-  const double wanted_mps = moving_duty * gain * config_.full_scale_mps;
+  return moving_duty * gain * config_.full_scale_mps * supply_;
+}
+
+double WheelPair::steady_mps() const noexcept {
+  const double left_mps = wanted_mps(left_, config_.left_gain), right_mps = wanted_mps(right_, config_.right_gain);
+  const double missing_mps = std::fabs(left_mps - left_.speed_mps) + std::fabs(right_mps - right_.speed_mps);
+  if (config_.lag_s > 0 && missing_mps > kSettled_mps) return std::numeric_limits<double>::infinity();
+  return std::fabs(left_mps + right_mps) / 2 + kSettled_mps;
+}
+
+double WheelPair::roll(Side& side, double gain, double step_s) noexcept {
+  const double wanted_mps = this->wanted_mps(side, gain);
   const double share = lag_.share(step_s);
   const double missing_mps = side.speed_mps - wanted_mps;
   side.speed_mps = wanted_mps + missing_mps * (1 - share);
@@ -36,6 +52,7 @@ Movement WheelPair::move(const Pose2& pose, double step_s) noexcept {
   const double half_turn_rad = movement.turn_rad / 2;
   const double chord_m = (movement.left_m + movement.right_m) / 2 * sinc(half_turn_rad);
   movement.displacement = direction(pose.yaw.rad() + half_turn_rad) * chord_m;
+  movement.path_m = std::fabs(movement.left_m + movement.right_m) / 2;
   movement.effort = (std::fabs(left_.duty) + std::fabs(right_.duty)) / 2;
   return movement;
 }

@@ -21,19 +21,25 @@ class WheelPair {
   explicit WheelPair(const WheelPairConfig& config) noexcept : config_(config), lag_(config.lag_s) {}
   void reset() noexcept;
   void command(double left_duty, double right_duty) noexcept;
+  /// See Drive::supply(): speeds fall with the voltage.
+  void supply(double share) noexcept { supply_ = share; }
   Movement move(const Pose2& pose, double step_s) noexcept;
+  /// See Drive::steady_mps(): once the motors have followed their duties.
+  double steady_mps() const noexcept;
 
  private:
   struct Side {
     double duty = 0;
     double speed_mps = 0;
   };
+  double wanted_mps(const Side& side, double gain) const noexcept;
   /// The way of one rim within a step; its speed changes.
   double roll(Side& side, double gain, double step_s) noexcept;
 
   WheelPairConfig config_;
   FirstOrderLag lag_;
   Side left_, right_;
+  double supply_ = 1;
 };
 
 /// The parameters that both kinds list in their descriptors.

@@ -2,18 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ganglion::sim {
 namespace {
 
 constexpr double kTimeTolerance_s = 1e-9;   // pieces of a sub-step shorter than this are rounding
 constexpr double kTouchTolerance_m = 1e-6;  // discs this close to each other touch
-constexpr double kGraze_mps = 1e-3;         // slower approaches are no contacts to count
+constexpr double kClear_m = 1e-6;           // left over where nothing is met
+constexpr double kLookAhead_m = 0.5;        // beyond a step's way when the ground is looked at: for the next steps
+constexpr double kRounding_m = 1e-12;
+constexpr double kGraze_mps = 1e-3;    // slower approaches are no contacts to count
 constexpr double kAlongNormal = 0.99;  // cosine between a contact's normal and the line from the robot that was hit
 
 }  // namespace
 
-Body::Body(const RobotModel& model, std::unique_ptr<Drive> drive) : model_(&model), drive_(std::move(drive)) {
+Body::Body(const RobotModel& model, std::unique_ptr<Drive> drive)
+    : model_(&model), drive_(std::move(drive)), ride_(model) {
   for (const CommandElement& element : model.description.commands.front().elements) safe_.push_back(element.safe);
   command_ = safe_;
 }
@@ -23,11 +28,14 @@ void Body::make_room(std::size_t robots) {
   bumps_.reserve(robots);
 }
 
-void Body::reset(const Pose2& pose) noexcept {
+void Body::reset(const Pose2& pose, const StreamId& chance) noexcept {
   truth_ = {};
   truth_.pose = truth_.start = pose;
   contacts_.clear();
+  room_m_ = 0;
   drive_->reset();
+  ride_.reset(chance);
+  sag(0);
   bumps_.clear();
 }
 
@@ -40,6 +48,7 @@ void Body::begin(const ActFrame& frame, double step_s) noexcept {
   ttl_s_ = frame.ttl_s[0];
   lapsed_ = false;
   truth_.touched = truth_.touching;
+  ride_.begin();
   truth_.contact_speed_mps = 0;
   truth_.step_energy_J = 0;
   drive_->command(command_, truth_.pose, step_s, true);
@@ -50,58 +59,83 @@ void Body::lapse(double step_s) noexcept {
   drive_->command(safe_, truth_.pose, step_s, false);
 }
 
-void Body::advance(const World& world, std::span<const Disc> others, std::size_t self, double elapsed_s, double time_s,
+double Body::steady_way_m(double step_s) const noexcept {
+  // A battery changes the speed with every sub-step.
+  if (model_->battery.present() || ttl_s_ < step_s - kTimeTolerance_s) return std::numeric_limits<double>::infinity();
+  return drive_->steady_mps() * step_s;
+}
+
+bool Body::off_ground(const Ground& ground, double way_m) noexcept {
+  if (room_m_ > way_m + kClear_m) return true;
+  const double up_to_m = model_->radius_m + way_m + kLookAhead_m;
+  room_m_ = std::isfinite(way_m) ? ground.clearance(truth_.pose.position, up_to_m) - model_->radius_m : 0;
+  return room_m_ > way_m + kClear_m;
+}
+
+void Body::advance_freely(double step_s) noexcept {
+  bumps_.clear();
+  const Movement movement = drive_->move(truth_.pose, step_s);
+  const bool moves = movement.displacement.squared() > 0;
+  if (moves) truth_.touching = false;
+  go(movement, truth_.pose.position + movement.displacement, movement.path_m, step_s);
+  drive_->feel(false);
+}
+
+void Body::advance(const World& world, Neighbours& all, std::size_t self, double elapsed_s, double time_s,
                    double step_s) noexcept {
   bumps_.clear();
   const double left_s = ttl_s_ - elapsed_s;
   if (!lapsed_ && !(left_s > kTimeTolerance_s)) lapse(step_s);
   if (lapsed_ || left_s >= step_s - kTimeTolerance_s) {
-    move(world, others, self, time_s, step_s);
+    move(world, all, self, time_s, step_s);
     return;
   }
-  move(world, others, self, time_s, left_s);
+  move(world, all, self, time_s, left_s);
   lapse(step_s);
-  move(world, others, self, time_s + left_s, step_s - left_s);
+  move(world, all, self, time_s + left_s, step_s - left_s);
 }
 
-World::Slide Body::slide(const World& world, std::span<const Disc> others, std::size_t self,
-                         Vector2 displacement) noexcept {
+World::Slide Body::slide(const World& world, Neighbours& all, std::size_t self, Vector2 displacement) noexcept {
   near_.clear();
   const Vector2 from = truth_.pose.position;
-  const double way_m = displacement.length();
-  for (std::size_t i = 0; i < others.size(); ++i) {
-    const double reach_m = way_m + others[i].radius_m + model_->radius_m + kTouchTolerance_m;
-    if (i != self && (others[i].position - from).squared() <= reach_m * reach_m) near_.push_back(others[i]);
-  }
+  const double reach_m = displacement.length() + 2 * model_->radius_m + kTouchTolerance_m;
+  for (const std::uint32_t other : all.within(from, reach_m, self)) near_.push_back(all.discs()[other]);
   return world.slide(from, displacement, model_->radius_m, near_);
 }
 
-void Body::move(const World& world, std::span<const Disc> others, std::size_t self, double time_s,
-                double step_s) noexcept {
-  const Movement movement = drive_->move(truth_.pose, step_s);
+void Body::move(const World& world, Neighbours& all, std::size_t self, double time_s, double step_s) noexcept {
+  const Floor& floor = world.ground().plan().floor;
+  Movement movement = drive_->move(truth_.pose, step_s);
+  if (!floor.plain()) movement = ride_.over(floor, movement, truth_);
   World::Slide result{truth_.pose.position, truth_.touching, truth_.contact_normal};  // at rest nothing changes
   const bool moves = movement.displacement.squared() > 0;
-  if (moves) result = slide(world, others, self, movement.displacement);
-  const Vector2 gone = result.position - truth_.pose.position;
-
-  truth_.velocity_mps = gone * (1 / step_s);
-  truth_.turn_rate_radps = movement.turn_rad / step_s;
-  truth_.pose.position = result.position;
-  truth_.pose.yaw = (truth_.pose.yaw + Angle::from_rad(movement.turn_rad)).wrapped();
-  truth_.left_m += movement.left_m;
-  truth_.right_m += movement.right_m;
-  const double gone_m = gone.length();
-  truth_.travelled_m += gone_m;
+  if (moves) result = slide(world, all, self, movement.displacement);
+  if (!floor.bumps.empty()) movement.turn_rad += ride_.jolt_rad(floor, truth_.pose.position, result.position);
   truth_.touching = result.touched;
   truth_.touched = truth_.touched || result.touched;
-  const EnergyModel& energy = model_->energy;
-  spend((energy.idle_W + energy.drive_W * movement.effort) * step_s + energy.travel_J_per_m * gone_m);
+  go(movement, result.position, (result.position - truth_.pose.position).length(), step_s);
   if (moves && result.touched) {
     const double speed_mps = std::max(0.0, -movement.displacement.dot(result.normal) / step_s);
     note_contact(result.normal, speed_mps, time_s);
-    note_bumps(others, self, result.normal, speed_mps);
+    note_bumps(all, self, result.normal, speed_mps);
   }
   drive_->feel(moves && result.touched);
+}
+
+void Body::go(const Movement& movement, Vector2 to, double path_m, double step_s) noexcept {
+  const Vector2 gone = to - truth_.pose.position;
+  truth_.velocity_mps = gone * (1 / step_s);
+  truth_.turn_rate_radps = movement.turn_rad / step_s;
+  truth_.pose.position = to;
+  truth_.pose.yaw = (truth_.pose.yaw + Angle::from_rad(movement.turn_rad)).wrapped();
+  truth_.left_m += movement.left_m;
+  truth_.right_m += movement.right_m;
+  truth_.travelled_m += path_m;
+  room_m_ -= gone.length() + kRounding_m;
+  const EnergyModel& energy = model_->energy;
+  const double power_W = energy.idle_W + energy.drive_W * movement.effort;
+  spend(power_W * step_s + energy.travel_J_per_m * path_m);
+  sag(power_W + energy.travel_J_per_m * path_m / step_s);
 }
 
 void Body::note_contact(Vector2 normal, double speed_mps, double time_s) noexcept {
@@ -113,13 +147,11 @@ void Body::note_contact(Vector2 normal, double speed_mps, double time_s) noexcep
   spend(model_->energy.contact_J);
 }
 
-void Body::note_bumps(std::span<const Disc> others, std::size_t self, Vector2 normal, double speed_mps) noexcept {
-  for (std::size_t i = 0; i < others.size(); ++i) {
-    if (i == self) continue;
-    const Vector2 apart = truth_.pose.position - others[i].position;
-    const double apart_m = apart.length();
-    if (apart_m > others[i].radius_m + model_->radius_m + kTouchTolerance_m) continue;
-    if (apart.dot(normal) >= kAlongNormal * apart_m) bumps_.push_back({i, normal, speed_mps});
+void Body::note_bumps(Neighbours& all, std::size_t self, Vector2 normal, double speed_mps) noexcept {
+  const double touch_m = 2 * model_->radius_m + kTouchTolerance_m;
+  for (const std::uint32_t other : all.within(truth_.pose.position, touch_m, self)) {
+    const Vector2 apart = truth_.pose.position - all.discs()[other].position;
+    if (apart.dot(normal) >= kAlongNormal * apart.length()) bumps_.push_back({other, normal, speed_mps});
   }
 }
 
@@ -131,6 +163,14 @@ void Body::bumped(Vector2 normal, double speed_mps, double time_s) noexcept {
 void Body::spend(double energy_J) noexcept {
   truth_.energy_J += energy_J;
   truth_.step_energy_J += energy_J;
+}
+
+void Body::sag(double power_W) noexcept {
+  const BatteryModel& battery = model_->battery;
+  if (!battery.present()) return;
+  truth_.charge = std::max(battery.charge - truth_.energy_J / battery.capacity_J, 0.0);
+  truth_.battery_V = battery.voltage_V(truth_.charge, power_W);
+  drive_->supply(std::min(truth_.battery_V / battery.full_V, 1.0));
 }
 
 }  // namespace ganglion::sim

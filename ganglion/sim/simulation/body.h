@@ -6,6 +6,8 @@
 #include "ganglion/application/application.h"
 #include "ganglion/sim/robot/robot_model.h"
 #include "ganglion/sim/simulation/contact_memory.h"
+#include "ganglion/sim/simulation/floor_ride.h"
+#include "ganglion/sim/simulation/neighbours.h"
 
 namespace ganglion::sim {
 
@@ -16,12 +18,20 @@ class Body {
 
   /// Takes the memory that a step among so many robots needs.
   void make_room(std::size_t robots);
-  void reset(const Pose2& pose) noexcept;
+  /// `chance` is the source of what the floor does to it.
+  void reset(const Pose2& pose, const StreamId& chance) noexcept;
   /// A step begins: takes the commands, made finite and put within their limits.
   void begin(const ActFrame& frame, double step_s) noexcept;
+  /// The way its centre goes in the step just begun if nothing stops it; +inf where that is not known, or where it does
+  /// not drive steadily through the whole step.
+  double steady_way_m(double step_s) const noexcept;
+  /// Whether no surface of the ground can be touched within a way of that length.
+  bool off_ground(const Ground& ground, double way_m) noexcept;
+  /// The whole step at once, for a robot that drives steadily and meets nothing.
+  void advance_freely(double step_s) noexcept;
   /// The sub-step [elapsed_s, elapsed_s + step_s) of that step, begun at time_s. Where the time to live ends within it,
-  /// it is cut there. `others` are the discs of the robots, this one's own among them at index `self`.
-  void advance(const World& world, std::span<const Disc> others, std::size_t self, double elapsed_s, double time_s,
+  /// it is cut there. `all` holds this robot at index `self`.
+  void advance(const World& world, Neighbours& all, std::size_t self, double elapsed_s, double time_s,
                double step_s) noexcept;
   /// The robots it ran into in the last sub-step, as indices, and how fast.
   struct Bump {
@@ -38,20 +48,25 @@ class Body {
 
  private:
   void lapse(double step_s) noexcept;
-  void move(const World& world, std::span<const Disc> others, std::size_t self, double time_s, double step_s) noexcept;
-  World::Slide slide(const World& world, std::span<const Disc> others, std::size_t self, Vector2 displacement) noexcept;
+  void move(const World& world, Neighbours& all, std::size_t self, double time_s, double step_s) noexcept;
+  World::Slide slide(const World& world, Neighbours& all, std::size_t self, Vector2 displacement) noexcept;
+  void go(const Movement& movement, Vector2 to, double path_m, double step_s) noexcept;
   void note_contact(Vector2 normal, double speed_mps, double time_s) noexcept;
-  void note_bumps(std::span<const Disc> others, std::size_t self, Vector2 normal, double speed_mps) noexcept;
+  void note_bumps(Neighbours& all, std::size_t self, Vector2 normal, double speed_mps) noexcept;
   void spend(double energy_J) noexcept;
+  /// The battery after a sub-step under that power, for the next one.
+  void sag(double power_W) noexcept;
 
   const RobotModel* model_;
   std::unique_ptr<Drive> drive_;
   std::vector<double> command_, safe_;
-  std::vector<Disc> near_;  // room for all other robots
+  std::vector<Disc> near_;  // in the way, room for all other robots
   std::vector<Bump> bumps_;
   double ttl_s_ = 0;
   bool lapsed_ = false;
+  double room_m_ = 0;  // no surface of the ground is nearer to the body than this
   ContactMemory contacts_;
+  FloorRide ride_;
   Truth truth_;
 };
 

@@ -12,18 +12,20 @@ constexpr double kTimeTolerance_s = 1e-7;  // sums of steps differ from multiple
 }  // namespace
 
 Device::Device(const SensorModel& model, std::unique_ptr<Sensor> sensor, std::span<double> values)
-    : model_(&model), sensor_(std::move(sensor)), values_(values) {}
+    : model_(&model), sensor_(std::move(sensor)), values_(values), name_hash_(hash_name(model.id)) {}
 
 Result<void> Device::reset(const Scene& scene, const StreamId& stream) {
-  stream_ = stream;
+  draws_ = Draws(stream, 0);
   fired_s_ = -std::numeric_limits<double>::infinity();
   std::fill(values_.begin(), values_.end(), std::numeric_limits<double>::quiet_NaN());
   StreamId beginning = stream;
   beginning.component = combine(stream.component, hash_name("reset"));
   if (auto begun = sensor_->reset(scene, Draws(beginning, 0)); !begun) return begun;
-  if (model_->phase_s <= kTimeTolerance_s) fire(scene);
+  if (fires_at_once()) fire(scene);
   return {};
 }
+
+bool Device::fires_at_once() const noexcept { return model_->phase_s <= kTimeTolerance_s; }
 
 double Device::firings(double time_s) const noexcept {
   if (time_s < model_->phase_s - kTimeTolerance_s) return 0;
@@ -36,13 +38,10 @@ bool Device::due(double begin_s, double now_s, double end_s) const noexcept {
   return now > firings(begin_s) && now == firings(end_s);
 }
 
-bool Device::wants(double begin_s, double now_s, double end_s) const noexcept {
-  return sensor_->follows() || due(begin_s, now_s, end_s);
-}
-
-void Device::follow(const Scene& scene, double begin_s, double end_s) noexcept {
-  if (sensor_->follows()) sensor_->follow(scene, scene.time_s - begin_s);
-  if (due(begin_s, scene.time_s, end_s)) fire(scene);
+bool Device::wants_before(double begin_s, double last_s, double end_s) const noexcept {
+  if (sensor_->follows()) return true;
+  if (model_->period_s <= 0) return false;
+  return firings(last_s) > firings(begin_s) && firings(last_s) == firings(end_s);
 }
 
 void Device::fire(const Scene& scene) noexcept {
@@ -52,7 +51,7 @@ void Device::fire(const Scene& scene) noexcept {
   if (faulty && model_->fault == Fault::Dead) {
     sensor_->broken(values_);
   } else if (!faulty || !has_fired) {
-    Draws draws(stream_, scene.tick);
+    Draws draws = draws_.at(scene.tick);
     sensor_->measure(scene, draws, values_);
   }
 }

@@ -15,26 +15,33 @@ class Device {
 
   /// An episode begins: `stream` is the sensor's own source of chance. Fires if it is due at once.
   Result<void> reset(const Scene& scene, const StreamId& stream);
-  /// A sub-step has gone by, from begin_s to scene.time_s; the step it belongs to ends at end_s, and no firing before
-  /// the step's last one would be seen.
-  void follow(const Scene& scene, double begin_s, double end_s) noexcept;
+  /// A sub-step of that length has gone by, for devices that follow().
+  void follow(const Scene& scene, double substep_s) noexcept { sensor_->follow(scene, substep_s); }
+  /// It is due: takes a reading, or what its fault makes of it.
+  void fire(const Scene& scene) noexcept;
   void hear(const ActFrame& frame) noexcept { sensor_->hear(frame); }
   double age_s(double time_s) const noexcept { return time_s - fired_s_; }
 
+  /// Whether it fires as an episode begins.
+  bool fires_at_once() const noexcept;
+  /// Whether it fires at the end of the sub-step from begin_s to now_s; the step it belongs to ends at end_s, and no
+  /// firing before the step's last one would be seen.
+  bool due(double begin_s, double now_s, double end_s) const noexcept;
+  /// Whether it would have anything to do in the sub-steps of [begin_s, last_s), of the step that ends at end_s.
+  bool wants_before(double begin_s, double last_s, double end_s) const noexcept;
+  std::uint64_t name_hash() const noexcept { return name_hash_; }
+
   const SensorModel& model() const noexcept { return *model_; }
   const Sensor& sensor() const noexcept { return *sensor_; }
-  /// Whether follow() would do anything for that sub-step: a scene is not made in vain.
-  bool wants(double begin_s, double now_s, double end_s) const noexcept;
 
  private:
   double firings(double time_s) const noexcept;
-  bool due(double begin_s, double now_s, double end_s) const noexcept;
-  void fire(const Scene& scene) noexcept;
 
   const SensorModel* model_;
   std::unique_ptr<Sensor> sensor_;
   std::span<double> values_;
-  StreamId stream_{};
+  std::uint64_t name_hash_;
+  Draws draws_{{}, 0};  // its stream's at tick 0
   double fired_s_ = -std::numeric_limits<double>::infinity();
 };
 

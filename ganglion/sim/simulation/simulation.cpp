@@ -23,6 +23,7 @@ Result<std::unique_ptr<Simulation>> Simulation::make(SimulationConfig config) {
   for (int i = 0; i < robots; ++i) {
     if (auto added = simulation->add_robot(); !added) return tl::unexpected<Error>(added.error());
   }
+  simulation->prepare();
   return simulation;
 }
 
@@ -42,31 +43,17 @@ Result<void> Simulation::add_robot() {
     for (const PortDescriptor& port : sensor.kind->descriptor.ports) size += static_cast<std::size_t>(port.size);
     robot.devices.emplace_back(sensor, std::move(*made), std::span<double>(robot.values).subspan(offset, size));
     offset += size;
-    reach_m_ = std::max(reach_m_, robot.devices.back().sensor().reach_m());
   }
   expects(offset == robot.values.size());
   return {};
 }
 
-void Simulation::look_round(std::size_t robot) noexcept {
-  others_.clear();
-  if (!(reach_m_ > 0)) return;
-  const Vector2 here = discs_[robot].position;
-  for (std::size_t i = 0; i < discs_.size(); ++i) {
-    const double far_m = reach_m_ + discs_[i].radius_m + config_.model->radius_m;
-    if (i != robot && (discs_[i].position - here).squared() <= far_m * far_m) others_.push_back(discs_[i]);
-  }
-}
-
-Scene Simulation::scene(std::size_t robot, const Device& device, std::uint32_t tick, double time_s) const noexcept {
-  const Truth& truth = robots_[robot].body.truth();
-  return {.world = world_,
-          .robot = truth,
-          .mount = truth.pose.then(device.model().mount),
-          .others = others_,
-          .radius_m = config_.model->radius_m,
-          .tick = tick,
-          .time_s = time_s};
+/// What depends on all robots and their devices.
+void Simulation::prepare() {
+  neighbours_.make_room(robots_.size());
+  way_m_.resize(robots_.size());
+  busy_.reserve(robots_.size());
+  lookout_ = std::make_unique<Lookout>(world_, neighbours_, *config_.model, robots_.front().devices);
 }
 
 Result<void> Simulation::reset(std::uint64_t seed, std::uint32_t episode) {
@@ -75,17 +62,18 @@ Result<void> Simulation::reset(std::uint64_t seed, std::uint32_t episode) {
   world_.reset(seed, episode);
   std::vector<Pose2> poses(robots_.size());
   if (auto placed = spawner_.place(world_, seed, episode, poses); !placed) return placed;
-  discs_.clear();
-  others_.reserve(robots_.size());
   for (std::size_t i = 0; i < robots_.size(); ++i) {
-    robots_[i].body.reset(poses[i]);
-    discs_.push_back(robots_[i].body.disc());
+    robots_[i].body.reset(poses[i], {seed, episode, static_cast<std::uint32_t>(i), hash_name("floor")});
+    neighbours_.put(i, robots_[i].body.disc());
   }
+  neighbours_.sort();
+  lookout_->call_first(robots_.front().devices);
   for (std::size_t i = 0; i < robots_.size(); ++i) {
-    look_round(i);
-    for (Device& device : robots_[i].devices) {
-      const StreamId stream{seed, episode, static_cast<std::uint32_t>(i), hash_name(device.model().id)};
-      if (auto ready = device.reset(scene(i, device, 0, 0), stream); !ready) return ready;
+    std::vector<Device>& devices = robots_[i].devices;
+    lookout_->begin(i, robots_[i].body.truth(), 0, 0);
+    for (std::size_t n = 0; n < devices.size(); ++n) {
+      const StreamId stream{seed, episode, static_cast<std::uint32_t>(i), devices[n].name_hash()};
+      if (auto ready = devices[n].reset(lookout_->scene(n), stream); !ready) return ready;
     }
   }
   return {};
@@ -122,25 +110,63 @@ void Simulation::step(std::span<const ActFrame> frames, double step_s) noexcept 
     for (Device& device : robots_[i].devices) device.hear(frames[i]);
   }
   const int count = std::max(1, static_cast<int>(std::ceil(step_s / config_.model->substep_s - 1e-9)));
-  for (int n = 0; n < count; ++n) substep(n, count, step_s, end_s);
+  const double length_s = step_s / count, last_s = time_s_ + length_s * (count - 1);
+  const bool plain = world_.movers().empty() && world_.ground().plan().floor.plain();
+  const bool at_once = plain && devices_wait(last_s, end_s);
+  neighbours_.sort();
+  busy_.clear();
+  for (std::size_t i = 0; i < frames.size(); ++i) busy_.push_back(i);
+  if (at_once) move_free_robots(step_s);
+  for (int n = 0; n < count && !(at_once && busy_.empty()); ++n) {
+    const double begin_s = time_s_ + length_s * n;
+    world_.advance(substeps_ + static_cast<std::uint32_t>(n), begin_s, length_s, neighbours_.discs());
+    move_busy_robots(length_s * n, length_s);
+    if (!at_once && n + 1 < count) run_devices(begin_s, time_s_ + length_s * (n + 1), end_s);
+  }
+  run_devices(last_s, end_s, end_s);
+  substeps_ += static_cast<std::uint32_t>(count);
   ++pace_steps_;
   ++tick_;
   time_s_ = end_s;
 }
 
-void Simulation::substep(int n, int count, double step_s, double end_s) noexcept {
-  const double length_s = step_s / count;
-  const double begin_s = time_s_ + length_s * n;
-  const double now_s = n + 1 == count ? end_s : time_s_ + length_s * (n + 1);
-  world_.advance(substeps_++, begin_s, length_s, discs_);
-  move_robots(length_s * n, length_s);
-  run_devices(begin_s, now_s, end_s);
+bool Simulation::devices_wait(double last_s, double end_s) const noexcept {
+  for (const Device& device : robots_.front().devices) {  // all robots have the same
+    if (device.wants_before(time_s_, last_s, end_s)) return false;
+  }
+  return true;
 }
 
-void Simulation::move_robots(double elapsed_s, double step_s) noexcept {
+void Simulation::move_free_robots(double step_s) noexcept {
+  double longest_m = 0;
   for (std::size_t i = 0; i < robots_.size(); ++i) {
-    robots_[i].body.advance(world_, discs_, i, elapsed_s, time_s_ + elapsed_s, step_s);
-    discs_[i] = robots_[i].body.disc();
+    way_m_[i] = robots_[i].body.steady_way_m(step_s);
+    longest_m = std::max(longest_m, std::min(way_m_[i], config_.model->radius_m));
+  }
+  busy_.clear();
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    Body& body = robots_[i].body;
+    const double apart_m = 2 * config_.model->radius_m + way_m_[i] + longest_m;
+    // Who goes farther than its own radius is never sure: then the others need not look far for it.
+    const bool free = way_m_[i] <= config_.model->radius_m && body.off_ground(world_.ground(), way_m_[i]) &&
+                      neighbours_.within(body.truth().pose.position, apart_m, i).empty();
+    if (!free) busy_.push_back(i);
+  }
+  std::size_t busy = 0;
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    if (busy < busy_.size() && busy_[busy] == i) {
+      ++busy;
+      continue;
+    }
+    robots_[i].body.advance_freely(step_s);
+    neighbours_.put(i, robots_[i].body.disc());
+  }
+}
+
+void Simulation::move_busy_robots(double elapsed_s, double step_s) noexcept {
+  for (const std::size_t i : busy_) {
+    robots_[i].body.advance(world_, neighbours_, i, elapsed_s, time_s_ + elapsed_s, step_s);
+    neighbours_.put(i, robots_[i].body.disc());
     tell_bumps(i, time_s_ + elapsed_s);
   }
 }
@@ -152,13 +178,14 @@ void Simulation::tell_bumps(std::size_t robot, double time_s) noexcept {
 }
 
 void Simulation::run_devices(double begin_s, double now_s, double end_s) noexcept {
-  for (std::size_t i = 0; i < robots_.size(); ++i) {
-    bool looked = false;
-    for (Device& device : robots_[i].devices) {
-      if (!device.wants(begin_s, now_s, end_s)) continue;
-      if (!looked) look_round(i);
-      looked = true;
-      device.follow(scene(i, device, tick_ + 1, now_s), begin_s, end_s);
+  const auto calls = lookout_->call(robots_.front().devices, begin_s, now_s, end_s);  // all robots have the same
+  for (std::size_t i = 0; i < robots_.size() && !calls.empty(); ++i) {
+    lookout_->begin(i, robots_[i].body.truth(), tick_ + 1, now_s);
+    for (const Lookout::Call& call : calls) {
+      Device& device = robots_[i].devices[call.device];
+      const Scene& scene = lookout_->scene(call.device);
+      if (call.follows) device.follow(scene, now_s - begin_s);
+      if (call.fires) device.fire(scene);
     }
   }
 }

@@ -9,6 +9,7 @@
 #include "ganglion/sim/robot/trainer_log.h"
 #include "ganglion/sim/simulation/body.h"
 #include "ganglion/sim/simulation/device.h"
+#include "ganglion/sim/simulation/lookout.h"
 #include "ganglion/sim/simulation/spawn.h"
 
 namespace ganglion::sim {
@@ -25,9 +26,10 @@ struct SimulationConfig {
 ///
 /// A step is cut into sub-steps of at most model.substep_s. In each the movers go first, then the robots in the order
 /// of their indices, then their sensors. A sensor fires at the end of the sub-step in which it is due, for a step's
-/// frame only its last firing counts. Commands lapse to their safe values exactly after their time to live. The cost of
-/// a frame is the energy the step before it took; the first frame of an episode has none. reset() takes memory; sense()
-/// and step() take none.
+/// frame only its last firing counts. Where there are no movers, the floor is plain and no sensor wants to know what
+/// happens within a step, robots that drive steadily and can meet nothing on their way go all of it at once, before the
+/// others. Commands lapse to their safe values exactly after their time to live. The cost of a frame is the energy the
+/// step before it took; the first frame of an episode has none. reset() takes memory; sense() and step() take none.
 class Simulation final : public Application {
  public:
   /// Fails with BadParameter without ground, robots or a simulated model, or where the spawn rule cannot hold.
@@ -58,12 +60,13 @@ class Simulation final : public Application {
   };
   explicit Simulation(SimulationConfig config, Spawner spawner);
   Result<void> add_robot();
+  void prepare();
   const Robot& robot_at(int robot) const noexcept { return robots_[static_cast<std::size_t>(robot)]; }
-  /// Gathers in others_ the robots that the sensors of one may see.
-  void look_round(std::size_t robot) noexcept;
-  Scene scene(std::size_t robot, const Device& device, std::uint32_t tick, double time_s) const noexcept;
-  void substep(int n, int count, double step_s, double end_s) noexcept;
-  void move_robots(double elapsed_s, double step_s) noexcept;
+  /// Whether no device wants to know what happens before the step's last sub-step, which begins at last_s.
+  bool devices_wait(double last_s, double end_s) const noexcept;
+  /// Moves those that can meet nothing through the whole step; busy_ holds the others.
+  void move_free_robots(double step_s) noexcept;
+  void move_busy_robots(double elapsed_s, double step_s) noexcept;
   void tell_bumps(std::size_t robot, double time_s) noexcept;
   void run_devices(double begin_s, double now_s, double end_s) noexcept;
 
@@ -71,9 +74,10 @@ class Simulation final : public Application {
   Spawner spawner_;
   World world_;
   std::vector<Robot> robots_;
-  std::vector<Disc> discs_;   // of all robots
-  std::vector<Disc> others_;  // what a scene shows; room for all robots
-  double reach_m_ = 0;        // of the farthest-seeing sensor
+  Neighbours neighbours_;
+  std::vector<double> way_m_;      // of each robot in this step
+  std::vector<std::size_t> busy_;  // robots that go by sub-steps in this step
+  std::unique_ptr<Lookout> lookout_;
   std::uint32_t tick_ = 0;
   std::uint32_t substeps_ = 0;
   double time_s_ = 0;

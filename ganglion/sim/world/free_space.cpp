@@ -43,8 +43,11 @@ Vector2 FreeSpace::sample(double clearance_m, Draws& draws) {
 
 const FreeSpace::Cells& FreeSpace::part(double clearance_m) {
   auto found = parts_.find(clearance_m);
-  if (found == parts_.end()) found = parts_.emplace(clearance_m, largest_part(clearance_m)).first;
-  return found->second;
+  if (found == parts_.end()) {
+    auto part = ground_->findings().get<Cells>(clearance_m, cell_m_, [&] { return largest_part(clearance_m); });
+    found = parts_.emplace(clearance_m, std::move(part)).first;
+  }
+  return *found->second;
 }
 
 FreeSpace::Cells FreeSpace::largest_part(double clearance_m) const {

@@ -11,7 +11,7 @@
 namespace ganglion::sim {
 
 /// Where on a ground there is room to stand, for starting robots. Movers are not looked at: ask World::clearance().
-/// What it finds out for a clearance it keeps, so an object is for one thread at a time.
+/// What is found out for a clearance the ground keeps, for all free spaces on it. One object is for one thread.
 class FreeSpace {
  public:
   /// The raster's cell is made larger where the ground would need more than 4 Mi of them. cell_m > 0.
@@ -38,7 +38,7 @@ class FreeSpace {
   double cell_m_;
   int columns_ = 1;
   int rows_ = 1;
-  std::map<double, Cells> parts_;  ///< By clearance: the cells of the largest part.
+  std::map<double, std::shared_ptr<const Cells>> parts_;  ///< By clearance: the cells of the largest part.
 };
 
 }  // namespace ganglion::sim

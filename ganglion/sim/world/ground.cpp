@@ -48,10 +48,19 @@ Box2 bounds_of(const GroundPlan& plan, const SurfaceSet& set) {
     box.include(round.disc.position - reach);
     box.include(round.disc.position + reach);
   }
+  for (const FloorZone& zone : plan.floor.zones) {
+    box.include(zone.box.lower);
+    box.include(zone.box.upper);
+  }
+  for (const Beacon& beacon : plan.beacons) box.include(beacon.position);
   for (const Spawn& spawn : plan.spawns) box.include(spawn.pose.position);
   for (const MoverPlan& mover : plan.movers) {
     for (const Pose2& place : mover.places) box.include(place.position);
     for (const Vector2 point : mover.path) box.include(point);
+    if (!mover.stroll) continue;
+    box.include(mover.stroll->start);
+    box.include(mover.stroll->area.lower);
+    box.include(mover.stroll->area.upper);
   }
   if (set.segments.empty() && set.rounds.empty()) {  // open ground: a field of 20 m round where things start
     if (box.lower.x > box.upper.x) box.include({0, 0});
@@ -88,6 +97,9 @@ Result<Ground> Ground::make(GroundPlan plan, Problems& problems) {
   check_limit(plan, set.rounds.size(), kMaxDiscs, "discs", problems);
   check_limit(plan, plan.movers.size(), kMaxMovers, "movers", problems);
   check_limit(plan, plan.spawns.size(), kMaxSpawns, "spawns", problems);
+  check_limit(plan, plan.floor.zones.size(), kMaxFloorItems, "zones of floor", problems);
+  check_limit(plan, plan.floor.bumps.size(), kMaxFloorItems, "straight pieces of bumps", problems);
+  check_limit(plan, plan.beacons.size(), kMaxBeacons, "beacons", problems);
   if (!problems.empty()) return first_of(problems);
   const Box2 bounds = bounds_of(plan, set);
   Ground ground(std::move(plan), bounds, SurfaceGrid(std::move(set)));
@@ -115,11 +127,27 @@ bool Ground::inside_solid(Vector2 point) const noexcept {
 
 std::optional<Hit> Ground::cast(Vector2 from, Vector2 unit_direction, double max_range_m) const noexcept {
   const auto found = surfaces_.cast(from, unit_direction, max_range_m);
-  if (!found) return std::nullopt;
-  const SurfaceTraits& traits = surfaces_.traits(found->traits);
+  return found ? std::optional(hit({from, unit_direction}, *found)) : std::nullopt;
+}
+
+Hit Ground::hit(const Ray& ray, const SurfaceGrid::Found& found) const noexcept {
+  const SurfaceTraits& traits = surfaces_.traits(found.traits);
   // A ray that just brushes a corner may meet the far edge first by rounding, so "from behind" alone proves nothing.
-  if (found->from_behind && traits.solid && inside_solid(from)) return Hit{0, -unit_direction, traits.material};
-  return Hit{found->range_m, found->normal, traits.material};
+  if (found.from_behind && traits.solid && inside_solid(ray.from)) return {0, -ray.direction, traits.material};
+  return {found.range_m, found.normal, traits.material};
+}
+
+Hit Ground::hit(const Ray& ray, std::uint32_t item, double range_m) const noexcept {
+  if (item >= surfaces_.set().segments.size()) return hit(ray, surfaces_.found(ray, item, range_m));
+  const SurfaceGrid::Face& face = surfaces_.face(item);
+  if (face.solid && face.along.cross(ray.direction) < 0 && inside_solid(ray.from)) {
+    return {0, -ray.direction, face.material};
+  }
+  return {range_m, normal_towards(ray, face.normal), face.material};
+}
+
+std::shared_ptr<const NearSurfaces> Ground::near_surfaces(double reach_m, double spread_m) const {
+  return findings_->get<NearSurfaces>(reach_m, spread_m, [&] { return NearSurfaces(surfaces_, reach_m, spread_m); });
 }
 
 double Ground::far_wall_m(Vector2 from, Vector2 unit_direction) const noexcept {

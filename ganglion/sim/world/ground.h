@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -8,6 +9,8 @@
 
 #include "ganglion/base/result.h"
 #include "ganglion/config/value.h"
+#include "ganglion/sim/world/findings.h"
+#include "ganglion/sim/world/near_surfaces.h"
 #include "ganglion/sim/world/plan.h"
 #include "ganglion/sim/world/surface_grid.h"
 #include "ganglion/sim/world/sweep.h"
@@ -47,12 +50,20 @@ class Ground {
   void sweep(Vector2 from, Vector2 displacement, double radius_m, Contact& first) const noexcept;
 
   const SurfaceGrid& surfaces() const noexcept { return surfaces_; }
+  /// What a ray hits that is known to meet an item of the surfaces first, at that range.
+  Hit hit(const Ray& ray, std::uint32_t item, double range_m) const noexcept;
+  /// The lists of surfaces near each place, made at the first call.
+  std::shared_ptr<const NearSurfaces> near_surfaces(double reach_m, double spread_m) const;
+  /// Kept for all who use this ground; it tells nothing else than the ground does.
+  Findings& findings() const noexcept { return *findings_; }
 
  private:
   Ground(GroundPlan plan, const Box2& bounds, SurfaceGrid surfaces);
+  Hit hit(const Ray& ray, const SurfaceGrid::Found& found) const noexcept;
   GroundPlan plan_;
   Box2 bounds_;
   SurfaceGrid surfaces_;
+  std::shared_ptr<Findings> findings_ = std::make_shared<Findings>();  // copies share it
 };
 
 }  // namespace ganglion::sim

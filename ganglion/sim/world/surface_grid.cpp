@@ -72,6 +72,10 @@ Span clip(const Ray& ray, Vector2 lower, Vector2 upper, double max_range_m) noex
 
 SurfaceGrid::SurfaceGrid(SurfaceSet set) : set_(std::move(set)) {
   choose_cells();
+  for (const Segment& s : set_.segments) {
+    const SurfaceTraits& traits = set_.traits[s.traits];
+    faces_.push_back({s.to - s.from, left_normal(s.from, s.to), traits.material, traits.solid});
+  }
   items_ = gather([this](auto add) {
     for (std::uint32_t i = 0; i < set_.segments.size(); ++i) {
       cells_of(set_.segments[i], [&](std::size_t at) { add(at, i); });
@@ -157,20 +161,25 @@ void SurfaceGrid::cells_of(const RoundSurface& round, bool filled, OnCell on_cel
   });
 }
 
-void SurfaceGrid::meet(std::uint32_t item, const Ray& ray, bool structural_only, Found& best) const noexcept {
+SurfaceGrid::Found SurfaceGrid::found(const Ray& ray, std::uint32_t item, double range_m) const noexcept {
   if (item < set_.segments.size()) {
     const Segment& segment = set_.segments[item];
-    const double range = range_to_segment(ray, segment.from, segment.to);
-    if (!(range < best.range_m) || (structural_only && !set_.traits[segment.traits].structural)) return;
-    const bool leaves_solid = (segment.to - segment.from).cross(ray.direction) < 0;
-    best = {range, normal_towards(ray, segment.from, segment.to), segment.traits, leaves_solid};
-    return;
+    const bool leaves_solid = faces_[item].along.cross(ray.direction) < 0;
+    return {range_m, normal_towards(ray, faces_[item].normal), segment.traits, leaves_solid};
   }
   const RoundSurface& round = set_.rounds[item - set_.segments.size()];
-  const double range = range_to_circle(ray, round.disc);
-  if (!(range < best.range_m) || (structural_only && !set_.traits[round.traits].structural)) return;
-  best = {range, normal_towards(ray, round.disc, range), round.traits,
+  return {range_m, normal_towards(ray, round.disc, range_m), round.traits,
           (ray.from - round.disc.position).squared() < round.disc.radius_m * round.disc.radius_m};
+}
+
+void SurfaceGrid::meet(std::uint32_t item, const Ray& ray, bool structural_only, Nearest& best) const noexcept {
+  const bool straight = item < set_.segments.size();
+  const std::size_t round = straight ? 0 : item - set_.segments.size();
+  const double range_m = straight ? range_to_segment(ray, set_.segments[item].from, set_.segments[item].to)
+                                  : range_to_circle(ray, set_.rounds[round].disc);
+  if (!(range_m < best.range_m || (range_m == best.range_m && item < best.item))) return;
+  const std::uint32_t traits = straight ? set_.segments[item].traits : set_.rounds[round].traits;
+  if (!structural_only || set_.traits[traits].structural) best = {range_m, item};
 }
 
 std::optional<SurfaceGrid::Found> SurfaceGrid::cast(Vector2 from, Vector2 unit_direction, double max_range_m,
@@ -180,7 +189,7 @@ std::optional<SurfaceGrid::Found> SurfaceGrid::cast(Vector2 from, Vector2 unit_d
   const Vector2 start = from + unit_direction * span.entry;
   if (!(span.entry <= span.exit) || !std::isfinite(start.x + start.y)) return std::nullopt;
   const double limit_m = std::nextafter(max_range_m, kNoHit);
-  Found best{limit_m, {}, 0, false};
+  Nearest best{limit_m, 0};
   const Vector2 inverse{1 / unit_direction.x, 1 / unit_direction.y};
   int column = column_of(start.x), row = row_of(start.y);
   while (column >= 0 && row >= 0 && column < columns_ && row < rows_) {
@@ -195,7 +204,7 @@ std::optional<SurfaceGrid::Found> SurfaceGrid::cast(Vector2 from, Vector2 unit_d
     if (best.range_m <= leaves || !(leaves <= span.exit)) break;
     (at_x <= at_y ? column : row) += (at_x <= at_y ? unit_direction.x : unit_direction.y) > 0 ? 1 : -1;
   }
-  if (best.range_m < limit_m) return best;
+  if (best.range_m < limit_m) return found(ray, best.item, best.range_m);
   return std::nullopt;
 }
 

@@ -82,6 +82,16 @@ class SurfaceGrid {
   }
 
   const SurfaceSet& set() const noexcept { return set_; }
+  /// What a ray finds that meets the item at that range: segments by number, then rounds.
+  Found found(const Ray& ray, std::uint32_t item, double range_m) const noexcept;
+  /// What a segment's surface is like.
+  struct Face {
+    Vector2 along;   ///< From one end to the other.
+    Vector2 normal;  ///< Unit, on the left.
+    Material material = Material::Rough;
+    bool solid = false;
+  };
+  const Face& face(std::uint32_t segment) const noexcept { return faces_[segment]; }
   const SurfaceTraits& traits(std::uint32_t index) const noexcept { return set_.traits[index]; }
 
  private:
@@ -110,10 +120,16 @@ class SurfaceGrid {
   }
   std::size_t cell(int column, int row) const noexcept { return static_cast<std::size_t>(row) * columns_ + column; }
   std::span<const std::uint32_t> items_in(int column, int row) const noexcept { return items_.of(cell(column, row)); }
-  void meet(std::uint32_t item, const Ray& ray, bool structural_only, Found& best) const noexcept;
+  /// The nearest item so far; of several at one range that with the lowest number.
+  struct Nearest {
+    double range_m;
+    std::uint32_t item;
+  };
+  void meet(std::uint32_t item, const Ray& ray, bool structural_only, Nearest& best) const noexcept;
   double distance_to(std::uint32_t item, Vector2 point) const noexcept;
 
   SurfaceSet set_;
+  std::vector<Face> faces_;  ///< Of the segments.
   Vector2 lower_;
   Vector2 upper_;
   double cell_m_ = 1;

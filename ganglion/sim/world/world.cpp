@@ -15,11 +15,6 @@ constexpr int kMaxStalled = 4;  ///< Contacts in a row without getting anywhere:
 
 bool finite(Vector2 v) noexcept { return std::isfinite(v.x) && std::isfinite(v.y); }
 
-std::optional<Hit> nearer(const std::optional<Hit>& a, const std::optional<Hit>& b) noexcept {
-  if (!a || !b) return a ? a : b;
-  return b->range_m < a->range_m ? b : a;
-}
-
 }  // namespace
 
 World::World(std::shared_ptr<const Ground> ground) : ground_(std::move(ground)) {
@@ -33,13 +28,19 @@ World::World(std::shared_ptr<const Ground> ground) : ground_(std::move(ground)) 
 }
 
 std::optional<Hit> World::cast(Vector2 from, Vector2 unit_direction, double max_range_m) const noexcept {
-  std::optional<Hit> best = ground_->cast(from, unit_direction, max_range_m);
   const Ray ray{from, unit_direction};
+  const std::optional<Hit> fixed = ground_->cast(from, unit_direction, max_range_m);
+  if (movers_.empty()) return fixed;
+  const Hit none{kNoHit, {}, Material::Rough};
+  const Hit best = nearest_mover(ray, fixed.value_or(none), fixed ? fixed->range_m : max_range_m);
+  return fixed || best.range_m < kNoHit ? std::optional(best) : std::nullopt;
+}
+
+Hit World::nearest_mover(const Ray& ray, Hit best, double max_range_m) const noexcept {
   for (std::size_t i = 0; i < movers_.size(); ++i) {
-    const double limit_m = best ? best->range_m : max_range_m;
-    const double reach_m = range_to_circle(ray, disc_of(i));
-    if (reach_m == kNoHit) continue;
-    best = nearer(best, cast_mover(i, ray, limit_m));
+    if (range_to_circle(ray, disc_of(i)) == kNoHit) continue;
+    const auto hit = cast_mover(i, ray, std::min(best.range_m, max_range_m));
+    if (hit && hit->range_m < best.range_m) best = *hit;
   }
   return best;
 }

@@ -93,6 +93,7 @@ Movement Stepper::move(const Pose2& pose, double step_s) noexcept {
   movement.displacement = missing * share;
   movement.turn_rad = missing_turn_rad * share;
   const double sign = movement.displacement.dot(direction(pose.yaw.rad())) >= 0 ? 1 : -1;
+  movement.path_m = missing_m * share;
   movement.left_m = movement.right_m = sign * missing_m * share;
   movement.effort = 1;
   return movement;

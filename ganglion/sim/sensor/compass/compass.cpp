@@ -62,21 +62,21 @@ Result<std::unique_ptr<Sensor>> make(const Parameters& parameters) {
 }  // namespace
 
 Result<void> Compass::reset(const Scene& scene, Draws) {
-  needle_ = direction(scene.mount.yaw.rad());
+  needle_ = direction(scene.mount().yaw.rad());
   return {};
 }
 
 void Compass::follow(const Scene& scene, double step_s) noexcept {
-  needle_ += (direction(scene.mount.yaw.rad()) - needle_) * lag_.share(step_s);
+  needle_ += (direction(scene.mount().yaw.rad()) - needle_) * lag_.share(step_s);
 }
 
 void Compass::measure(const Scene& scene, Draws& draws, std::span<double> values) noexcept {
-  double heading_rad = config_.lag_s > 0 ? math::atan2(needle_.y, needle_.x) : scene.mount.yaw.rad();
+  double heading_rad = config_.lag_s > 0 ? math::atan2(needle_.y, needle_.x) : scene.mount().yaw.rad();
   heading_rad += config_.bias_rad;
   if (config_.local_bias_rad > 0) {
     const double wave_radpm = 2 * kPi / config_.local_length_m;
-    heading_rad += config_.local_bias_rad * math::sin(wave_radpm * scene.mount.position.x) *
-                   math::cos(wave_radpm * scene.mount.position.y);
+    heading_rad += config_.local_bias_rad * math::sin(wave_radpm * scene.mount().position.x) *
+                   math::cos(wave_radpm * scene.mount().position.y);
   }
   if (config_.noise_rad > 0) heading_rad += config_.noise_rad * draws.normal();
   if (config_.resolution_rad > 0) {

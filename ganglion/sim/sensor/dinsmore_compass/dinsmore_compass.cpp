@@ -66,7 +66,7 @@ Result<std::unique_ptr<Sensor>> make(const Parameters& parameters) {
 }  // namespace
 
 Vector2 DinsmoreCompass::bearing(const Scene& scene) const noexcept {
-  return direction((config_.north - scene.mount.yaw).rad());
+  return direction((config_.north - scene.mount().yaw).rad());
 }
 
 Result<void> DinsmoreCompass::reset(const Scene& scene, Draws) {

@@ -31,8 +31,8 @@ Result<std::unique_ptr<Sensor>> make(const Parameters& parameters) {
 }  // namespace
 
 void Position::measure(const Scene& scene, Draws& draws, std::span<double> values) noexcept {
-  values[0] = scene.mount.position.x;
-  values[1] = scene.mount.position.y;
+  values[0] = scene.mount().position.x;
+  values[1] = scene.mount().position.y;
   if (noise_m_ <= 0) return;
   values[0] += noise_m_ * draws.normal();
   values[1] += noise_m_ * draws.normal();

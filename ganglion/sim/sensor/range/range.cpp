@@ -48,13 +48,13 @@ Result<std::unique_ptr<Sensor>> make(const Parameters& parameters) {
 
 void Range::measure(const Scene& scene, Draws& draws, std::span<double> values) noexcept {
   const double noise_m = config_.noise_m > 0 ? draws.normal() * config_.noise_m : 0;
-  const auto hit = cast(scene, scene.mount.position, direction(scene.mount.yaw.rad()), config_.max_range_m);
-  if (!hit) {
+  const double range_m = first_hit(scene, kAhead, 0, config_.max_range_m).range_m;
+  if (range_m == kInfinity) {
     values[0] = kInfinity;
-  } else if (hit->range_m < config_.min_range_m) {
+  } else if (range_m < config_.min_range_m) {
     values[0] = -kInfinity;
   } else {
-    values[0] = std::clamp(hit->range_m + noise_m, config_.min_range_m, config_.max_range_m);
+    values[0] = std::clamp(range_m + noise_m, config_.min_range_m, config_.max_range_m);
   }
 }
 

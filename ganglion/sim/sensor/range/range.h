@@ -17,9 +17,11 @@ class Range final : public Sensor {
   explicit Range(const RangeConfig& config) noexcept : config_(config) {}
   Limits limits(std::size_t) const noexcept override { return {config_.min_range_m, config_.max_range_m}; }
   double reach_m() const noexcept override { return config_.max_range_m; }
+  std::span<const Vector2> rays() const noexcept override { return {&kAhead, 1}; }
   void measure(const Scene& scene, Draws& draws, std::span<double> values) noexcept override;
 
  private:
+  static constexpr Vector2 kAhead{1, 0};
   RangeConfig config_;
 };
 

@@ -20,7 +20,9 @@ Sonar::Sonar(const SonarConfig& config) : config_(config) {
   for (int n = 0; n < config.rays; ++n) {
     const double share = config.rays == 1 ? 0 : static_cast<double>(n) / (config.rays - 1) - 0.5;
     rays_.push_back(direction(share * config.cone.rad()));
+    ray_reach_m_.push_back(config.fading ? config.max_range_m * math::pow(2, -2 * share * share) : kInfinity);
   }
+  cos_half_cone_ = math::cos(config.cone.rad() / 2);
   for (std::size_t i = 0; i < cos_incidence_.size(); ++i) {
     const double limit_rad = config.incidence_limit[i].rad();
     cos_incidence_[i] = limit_rad < kPi / 2 ? math::cos(limit_rad) : 0;
@@ -37,33 +39,61 @@ bool Sonar::answers(const Hit& hit, Vector2 unit_direction, double way_m) const 
   return -hit.normal.dot(unit_direction) >= cos_incidence_[static_cast<std::size_t>(hit.material)];
 }
 
-double Sonar::ray_range_m(const Scene& scene, Vector2 unit_direction) const noexcept {
-  Vector2 from = scene.mount.position;
-  double way_m = 0;
-  for (int bounce = 0; bounce <= config_.mirror_bounces; ++bounce) {
-    const auto hit = cast(scene, from, unit_direction, config_.max_range_m - way_m);
-    if (!hit) return kInfinity;
-    way_m += hit->range_m;
-    if (answers(*hit, unit_direction, way_m)) return way_m;
-    from = from + unit_direction * hit->range_m + hit->normal * kLiftOff_m;
-    unit_direction = unit_direction - hit->normal * (2 * hit->normal.dot(unit_direction));
+double Sonar::way_m(const Scene& scene, std::size_t n, double within_m) const noexcept {
+  Vector2 from = scene.mount().position;
+  Vector2 along = scene.ahead() * rays_[n].x + scene.ahead().left() * rays_[n].y;
+  Hit hit = first_hit(scene, rays_[n], n, config_.max_range_m);
+  double way_m = hit.range_m;
+  for (int bounce = 0; way_m < within_m; ++bounce) {
+    if (answers(hit, along, way_m)) return way_m;
+    if (bounce == config_.mirror_bounces) break;
+    from = from + along * hit.range_m + hit.normal * kLiftOff_m;
+    along = along - hit.normal * (2 * hit.normal.dot(along));
+    const auto next = cast(scene, from, along, std::min(config_.max_range_m, within_m) - way_m);
+    if (!next) break;
+    hit = *next;
+    way_m += hit.range_m;
   }
   return kInfinity;
 }
 
 double Sonar::echo_range_m(const Scene& scene) const noexcept {
-  const Vector2 ahead = direction(scene.mount.yaw.rad());
   double nearest_m = kInfinity;
-  for (const Vector2 ray : rays_) {
-    nearest_m = std::min(nearest_m, ray_range_m(scene, ahead * ray.x + ahead.left() * ray.y));
+  for (std::size_t n = 0; n < rays_.size(); ++n) {
+    nearest_m = std::min(nearest_m, way_m(scene, n, std::min(nearest_m, ray_reach_m_[n])));
   }
   return nearest_m;
+}
+
+double Sonar::crosstalk_m(const Scene& scene, double within_m) const noexcept {
+  const Vector2 here = scene.mount().position;
+  double nearest_m = within_m;
+  for (const Ping& ping : scene.pings) {
+    if (ping.mounting == scene.mounting) continue;
+    const Vector2 from = scene.robot.pose.position + scene.turned(ping.mounting->pose.position);
+    const Vector2 axis = scene.turned(ping.mounting->ahead);
+    for (const Vector2 ray : rays_) {
+      const Vector2 along = scene.ahead() * ray.x + scene.ahead().left() * ray.y;
+      const Hit hit = cast_own(scene, ray, config_.max_range_m);
+      if (hit.range_m == kInfinity) continue;
+      const Vector2 out = here + along * hit.range_m + hit.normal * kLiftOff_m - from;
+      const double out_m = out.length();
+      const double half_m = (out_m + hit.range_m) / 2;
+      if (!(half_m < nearest_m) || out.dot(axis) < ping.cos_half_cone * out_m) continue;
+      const Vector2 unit = out * (1 / out_m);
+      const Vector2 between = unit + along;  // against the bisector of both ways
+      if (!answers(hit, between * (1 / between.length()), half_m)) continue;
+      if (!cast(scene, from, unit, out_m)) nearest_m = half_m;
+    }
+  }
+  return nearest_m < within_m ? nearest_m : kInfinity;
 }
 
 void Sonar::measure(const Scene& scene, Draws& draws, std::span<double> values) noexcept {
   const double noise_m = draws.normal() * config_.noise_m;
   const bool lost = draws.uniform() < config_.dropout;
-  const double heard_m = lost ? kInfinity : echo_range_m(scene);
+  double heard_m = lost ? kInfinity : echo_range_m(scene);
+  if (config_.crosstalk && !lost) heard_m = std::min(heard_m, crosstalk_m(scene, heard_m));
   if (heard_m == kInfinity) {
     values[0] = kInfinity;
     values[1] = config_.no_echo_s;

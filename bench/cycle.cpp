@@ -1,12 +1,11 @@
-/// What a tick costs: controllers of 50 components and, for the slope, of 100, 200 and 400. Beside the time each line
-/// shows how often a tick took memory from the heap, which must be 0.
-#include <benchmark/benchmark.h>
-
+// What a tick costs: controllers of 50 components and, for the slope, of 100, 200 and 400.
+#include "bench/support/rows.h"
 #include "ganglion/graph/testing/rig.h"
 #include "ganglion/module/testing/allocations.h"
 
 namespace {
 
+using namespace ganglion::bench;
 using ganglion::testing::Rig;
 
 /// Ten components: a sensation, a chain of four percepts, a goal, two acting modules in a hierarchy, a behaviour that
@@ -55,31 +54,45 @@ std::string controller(int components) {
   return text + "[[coordinator]]\nid = \"top\"\nkind = \"First\"\nin.commands = [" + list + "]\ncommand = \"move\"\n";
 }
 
-void tick(benchmark::State& state) {
-  Rig rig(controller(static_cast<int>(state.range(0))));
+/// CPU microseconds of a tick. Requests come and go; no tick may take memory from the heap.
+double tick_us(int components, std::uint64_t& allocations) {
+  Rig rig(controller(components));
   rig.cost = 0.1;
   rig.tick(10);
+  constexpr int kTicks = 100'000;
   const std::uint64_t before = ganglion::testing::allocations();
-  for (auto step : state) {
+  const double began_s = cpu_s();
+  for (int n = 0; n < kTicks; ++n) {
     ++rig.sense.tick;
-    rig.sense.values[0] = static_cast<double>(rig.sense.tick % 9);  // requests come and go
+    rig.sense.values[0] = static_cast<double>(rig.sense.tick % 9);
     rig.controller.tick(rig.sense, 0.1, rig.act);
-    benchmark::DoNotOptimize(rig.act.values.data());
   }
-  state.counters["allocations"] = static_cast<double>(ganglion::testing::allocations() - before);
-  state.counters["signals"] = static_cast<double>(rig.controller.signals().size());
-  state.counters["per_component"] = benchmark::Counter(static_cast<double>(state.iterations() * state.range(0)),
-                                                       benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  const double took_s = cpu_s() - began_s;
+  allocations += ganglion::testing::allocations() - before;
+  return took_s * 1e6 / kTicks;
 }
-BENCHMARK(tick)->Arg(50)->Arg(100)->Arg(200)->Arg(400)->Unit(benchmark::kMicrosecond);
 
-void compile(benchmark::State& state) {
-  const std::string text = controller(static_cast<int>(state.range(0)));
-  for (auto step : state) {
-    ganglion::Problems problems;
-    benchmark::DoNotOptimize(ganglion::testing::compiled(text, problems));
-  }
+double compile_ms(int components) {
+  const std::string text = controller(components);
+  ganglion::Problems problems;
+  const double began_s = cpu_s();
+  const auto made = ganglion::testing::compiled(text, problems);
+  return made ? (cpu_s() - began_s) * 1e3 : -1;
 }
-BENCHMARK(compile)->Arg(50)->Arg(400)->Arg(1000)->Unit(benchmark::kMillisecond);
 
 }  // namespace
+
+int main(int argc, char** argv) {
+  std::vector<Row> rows;
+  std::uint64_t allocations = 0;
+  for (const int components : {50, 100, 200, 400}) {
+    rows.push_back(
+        measured("cycle/" + std::to_string(components), "us", [&] { return tick_us(components, allocations); }));
+  }
+  rows.push_back({"cycle/allocations", static_cast<double>(allocations), std::nullopt, "in all those ticks"});
+  for (const int components : {50, 400, 1000}) {
+    rows.push_back(
+        measured("cycle/compile/" + std::to_string(components), "ms", [&] { return compile_ms(components); }));
+  }
+  return print(rows, argc, argv, "cycle/N: a tick of a controller of N components.\n");
+}

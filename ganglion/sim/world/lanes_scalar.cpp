@@ -1,0 +1,18 @@
+// One value at a time: what every processor can do, and what the others are held to.
+#include "ganglion/sim/world/lanes_kernels.h"
+
+namespace ganglion::sim {
+namespace {
+
+double root(double value) noexcept { return __builtin_sqrt(value); }
+
+}  // namespace
+}  // namespace ganglion::sim
+
+#include "ganglion/sim/world/lanes_kernel.h"
+
+namespace ganglion::sim {
+
+extern constinit const Lanes scalar_lanes = lanes_of<double>("scalar");
+
+}  // namespace ganglion::sim
