@@ -42,7 +42,8 @@ colour = "#00ff00"
 )";
 
 TEST(Floor, KnowsWhatLiesWhere) {
-  const Floor& floor = ground_of(kFloor)->plan().floor;
+  const auto ground = ground_of(kFloor);
+  const Floor& floor = ground->plan().floor;
   EXPECT_EQ(floor.zone_at({-0.01, 0}), nullptr);
   EXPECT_EQ(floor.zone_at({0.01, 0.99})->id, "ramp");
   EXPECT_EQ(floor.zone_at({3.5, 0.2})->warmer_C, 7);  // lies on the ramp: the later one counts
@@ -53,7 +54,8 @@ TEST(Floor, KnowsWhatLiesWhere) {
 }
 
 TEST(Floor, RisesFromTheLowestEdgeOfASlope) {
-  const Floor& floor = ground_of(kFloor)->plan().floor;
+  const auto ground = ground_of(kFloor);
+  const Floor& floor = ground->plan().floor;
   EXPECT_NEAR(floor.height_at({0.25, 0.5}), 0.75, 1e-12);  // 0.5 m at x = 0
   EXPECT_NEAR(floor.gradient_at({1, 0}).x, 1, 1e-12);
   EXPECT_NEAR(floor.gradient_at({1, 0}).y, 0, 1e-12);

@@ -40,7 +40,7 @@ TEST(Tilt, SharesTheSlopeOutWhenAslant) {
   // tan 10 deg = 0.176327; at 45 deg 0.124682 ahead and, uphill to the right, -0.124682 to the left.
   const auto at_deg = facing_deg(45);
   EXPECT_NEAR(at_deg[1], -7.10704, 1e-4);  // atan 0.124682
-  EXPECT_NEAR(at_deg[0], -7.05284, 1e-4);  // atan(0.124682 / sqrt(1 + 0.124682^2))
+  EXPECT_NEAR(at_deg[0], -7.05302, 1e-4);  // atan(0.124682 / sqrt(1 + 0.124682^2))
 }
 
 TEST(Tilt, IsLevelOffTheSlope) {
