@@ -1,11 +1,15 @@
+#include <algorithm>
 #include <cstdio>
 
 #include "commands.h"
 #include "ganglion/base/file.h"
 #include "ganglion/base/text.h"
 #include "ganglion/record/catalogue.h"
+#include "ganglion/record/compare_components.h"
 #include "ganglion/record/csv.h"
-#include "ganglion/run/replay.h"
+#include "ganglion/record/recover.h"
+#include "ganglion/record/run_file.h"
+#include "results_reader.h"
 #include "say.h"
 
 namespace ganglion {
@@ -16,8 +20,8 @@ namespace fs = std::filesystem;
 struct Arguments {
   std::string folder = "runs";
   std::string file, out, sort = "recorded", name;
+  std::string language = "en";
   std::vector<std::string> files;
-  bool json = false;
 };
 
 /// The runs of a folder, read anew from the files: the catalogue is only an index.
@@ -114,11 +118,85 @@ int verify(const Arguments& arguments) {
   return worst;
 }
 
+int recover(const Arguments& arguments) {
+  const auto saved = recover_run(arguments.file, arguments.out);
+  if (!saved) return complain(saved.error());
+  for (const std::string& damage : saved->damages) fmt::print("damaged: {}\n", damage);
+  fmt::print("saved {} chunks, {} messages, {:.1f} s of the run{}\nwrote {}\n", saved->chunks, saved->messages,
+             saved->until_s, saved->finished ? ", its outcome" : "; its outcome is lost", arguments.out);
+  return kDone;
+}
+
+/// Whether what two runs have in common went the same way in both.
+int digests(const Arguments& arguments) {
+  std::vector<RunOutcome> outcomes;
+  for (const std::string& file : arguments.files) {
+    auto run = RunFile::read_summary(file);
+    if (!run) return complain(run.error());
+    if (!run->outcome) return complain(Error{ErrorCode::Corrupt, "was cut before its outcome", {file}});
+    outcomes.push_back(std::move(*run->outcome));
+  }
+  const DigestComparison found = compare_components(outcomes[0], outcomes[1]);
+  const auto say = [](std::string_view what, const std::vector<std::string>& names) {
+    for (const std::string& name : names) fmt::print("{} {}\n", what, name);
+  };
+  say("same     ", found.same);
+  say("differs  ", found.different);
+  say("only in 1", found.only_first);
+  say("only in 2", found.only_second);
+  fmt::print("{} the same, {} different, {} in one run only\n", found.same.size(), found.different.size(),
+             found.only_first.size() + found.only_second.size());
+  return found.different.empty() ? kDone : kRobotFailed;
+}
+
+/// The page, and what it says first: how many runs of each batch succeeded.
+int compare(const Arguments& arguments) {
+  Problems problems;
+  std::vector<report::NamedBatch> batches;
+  for (const std::string& file : arguments.files) {
+    if (auto batch = read_batch(file)) {
+      batches.push_back(std::move(*batch));
+    } else {
+      problems.add(batch.error());
+    }
+  }
+  if (!problems.empty()) return complain(problems);
+  fmt::print("{:<26}{:>8}{:>11}  {}\n", "batch", "runs", "succeeded", "95 % interval of the share");
+  for (const report::NamedBatch& batch : batches) {
+    const auto won = static_cast<std::size_t>(std::ranges::count(batch.runs, true, &report::BatchRun::success));
+    const report::Interval interval = report::wilson(won, batch.runs.size());
+    fmt::print("{:<26}{:>8}{:>11}  {:.3f} .. {:.3f}\n", batch.name, batch.runs.size(), won, interval.lower,
+               interval.upper);
+  }
+  const auto language = arguments.language == "es" ? plot::Language::Spanish : plot::Language::English;
+  if (const auto written = report::write_comparison(batches, arguments.out, language); !written) {
+    complain(written.error());
+    return kOutputFailed;
+  }
+  fmt::print("wrote {}\n", arguments.out);
+  return kDone;
+}
+
+void add_compare(CLI::App& command, const std::shared_ptr<Arguments>& arguments, int& code) {
+  CLI::App* compared = command.add_subcommand("compare", "Set batches of runs side by side on one page");
+  compared->add_option("batches", arguments->files, "[NAME=]RESULTS.json of run --json, or [NAME=]FOLDER of run files")
+      ->required();
+  compared->add_option("--out", arguments->out, "Page to write (.html)")->required();
+  compared->add_option("--language", arguments->language, "en or es")->check(CLI::IsMember({"en", "es"}));
+  compared->footer(
+      "Example:\n"
+      "  ganglion run experiments/nimrod --seeds 1..100 --json > recommended.json\n"
+      "  ganglion run experiments/nimrod --set controller=experiments/nimrod/controller.listing.toml \\\n"
+      "    --seeds 1..100 --json > listing.json\n"
+      "  ganglion runs compare recommended.json listing.json --out presets.html");
+  compared->callback([arguments, &code] { code = compare(*arguments); });
+}
+
 }  // namespace
 
 void add_runs(CLI::App& program, int& code) {
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = program.add_subcommand("runs", "Recorded runs: list, show, export, verify");
+  CLI::App* command = program.add_subcommand("runs", "Recorded runs: list, show, export, verify, recover, compare");
   command->require_subcommand(1);
   CLI::App* listed = command->add_subcommand("list", "List the runs below a folder");
   CLI::App* exported = command->add_subcommand("csv", "The same as a table, every measure a column");
@@ -137,9 +215,18 @@ void add_runs(CLI::App& program, int& code) {
   signal->add_option("file", arguments->file, "Run file (.mcap)")->required();
   signal->add_option("--out", arguments->out, "Folder to write to")->required();
   signal->callback([arguments, &code] { code = signals(*arguments); });
+  CLI::App* recovered = command->add_subcommand("recover", "Make a whole run file of what is left of a cut one");
+  recovered->add_option("file", arguments->file, "Run file (.mcap), which is only read")->required();
+  recovered->add_option("--out", arguments->out, "File to write")->required();
+  recovered->callback([arguments, &code] { code = recover(*arguments); });
+  CLI::App* digested =
+      command->add_subcommand("digests", "Which components of two runs had the same signals, to the bit");
+  digested->add_option("files", arguments->files, "Two run files (.mcap)")->required()->expected(2);
+  digested->callback([arguments, &code] { code = digests(*arguments); });
   CLI::App* verified = command->add_subcommand("verify", "Check every checksum of run files");
   verified->add_option("files", arguments->files, "Run files (.mcap)")->required();
   verified->callback([arguments, &code] { code = verify(*arguments); });
+  add_compare(*command, arguments, code);
 }
 
 }  // namespace ganglion

@@ -8,16 +8,27 @@ Parameters::Parameters(std::span<const ParameterDescriptor> descriptors) : descr
   for (const ParameterDescriptor& descriptor : descriptors) {
     values_.push_back({descriptor.preset,
                        std::string(descriptor.preset_word),
-                       {descriptor.preset_reals.begin(), descriptor.preset_reals.end()}});
+                       {descriptor.preset_reals.begin(), descriptor.preset_reals.end()},
+                       false});
   }
 }
 
-Parameters::Value& Parameters::at(std::string_view name) {
+Parameters::Value& Parameters::set_at(std::string_view name) {
   for (std::size_t i = 0; i < descriptors_.size(); ++i) {
-    if (descriptors_[i].name == name) return values_[i];
+    if (descriptors_[i].name != name) continue;
+    values_[i].given = true;
+    return values_[i];
   }
   expects(false);  // the kind asks for a parameter that its own descriptor does not list
   return values_.front();
+}
+
+bool Parameters::given(std::string_view name) const {
+  for (std::size_t i = 0; i < descriptors_.size(); ++i) {
+    if (descriptors_[i].name == name) return values_[i].given;
+  }
+  expects(false);
+  return false;
 }
 
 const Parameters::Value& Parameters::at(std::string_view name, ParameterType type) const {
@@ -48,8 +59,10 @@ std::string_view Parameters::choice(std::string_view name) const {
 const std::string& Parameters::word(std::string_view name) const { return at(name, ParameterType::Word).word; }
 std::span<const double> Parameters::reals(std::string_view name) const { return at(name, ParameterType::Reals).reals; }
 
-void Parameters::set(std::string_view name, double value) { at(name).number = value; }
-void Parameters::set_word(std::string_view name, std::string value) { at(name).word = std::move(value); }
-void Parameters::set_reals(std::string_view name, std::vector<double> values) { at(name).reals = std::move(values); }
+void Parameters::set(std::string_view name, double value) { set_at(name).number = value; }
+void Parameters::set_word(std::string_view name, std::string value) { set_at(name).word = std::move(value); }
+void Parameters::set_reals(std::string_view name, std::vector<double> values) {
+  set_at(name).reals = std::move(values);
+}
 
 }  // namespace ganglion

@@ -24,6 +24,8 @@ class Parameters {
   const std::string& word(std::string_view name) const;
   std::span<const double> reals(std::string_view name) const;
 
+  /// Whether it was set: for kinds whose defaults hang together, a device's by its name.
+  bool given(std::string_view name) const;
   void set(std::string_view name, double value);
   void set_word(std::string_view name, std::string value);
   void set_reals(std::string_view name, std::vector<double> values);
@@ -35,9 +37,10 @@ class Parameters {
     double number = 0;
     std::string word;
     std::vector<double> reals;
+    bool given = false;
   };
   const Value& at(std::string_view name, ParameterType type) const;
-  Value& at(std::string_view name);
+  Value& set_at(std::string_view name);
 
   std::span<const ParameterDescriptor> descriptors_;
   std::vector<Value> values_;

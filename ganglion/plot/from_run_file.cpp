@@ -59,7 +59,8 @@ class Reader {
   }
 
   void read_outcome(const ganglion::RunOutcome& outcome) {
-    view_.outcome = RunOutcome{outcome.success, {outcome.reason, ""}, {}, outcome.digest};
+    view_.outcome = RunOutcome{
+        outcome.success, {outcome.reason, outcome.reason_es}, {outcome.criterion, outcome.criterion}, outcome.digest};
     for (const auto& [name, value] : outcome.measures) view_.measures.push_back({name, value});
   }
 

@@ -34,7 +34,7 @@ constexpr const char* kRun =
 RunFile sample_file() {
   RunFile file;
   file.info = {.name = "nimrod", .seed = 3, .tick_s = 0.1};
-  file.outcome = ganglion::RunOutcome{"abc", true, "arrived", {{"path_m", 1.5}}};
+  file.outcome = ganglion::RunOutcome{"abc", true, "arrived", "llegó", "path_m <= 2", {{"path_m", 1.5}}};
   file.tables.push_back({"/robot0/signals",
                          {{"truth.x_m", "m"},
                           {"truth.y_m", "m"},
@@ -65,6 +65,8 @@ TEST(ViewOfARunFile, HoldsOutcomeTrackAndBody) {
   EXPECT_DOUBLE_EQ(run.duration_s, 0.2);
   ASSERT_TRUE(run.outcome);
   EXPECT_EQ(run.outcome->reason.english, "arrived");
+  EXPECT_EQ(run.outcome->reason.spanish, "llegó");
+  EXPECT_EQ(run.outcome->criterion.english, "path_m <= 2");
   ASSERT_EQ(run.robots.size(), 1u);
   EXPECT_EQ(run.robots[0].track.x_m, (std::vector<double>{1, 1.1}));
   EXPECT_EQ(run.robots[0].track.touching, (std::vector<std::uint8_t>{0, 1}));
@@ -176,17 +178,6 @@ TEST(Grid, TellsDynamicFromALayerOfStaticCells) {
   const auto frame = grid_from(grid, 0);
   ASSERT_TRUE(frame);
   EXPECT_EQ(frame->frame.dynamic, (std::vector<std::uint8_t>{1, 0, 0, 1}));  // the unexplored cell is neither
-}
-
-TEST(Base64, ReadsTheVectorsOfRfc4648) {
-  const auto text_of = [](std::string_view text) {
-    const auto bytes = base64_bytes(text);
-    return bytes ? std::string(bytes->begin(), bytes->end()) : "none";
-  };
-  EXPECT_EQ(text_of("Zg=="), "f");
-  EXPECT_EQ(text_of("Zm8="), "fo");
-  EXPECT_EQ(text_of("Zm9vYmFy"), "foobar");
-  EXPECT_EQ(text_of("Zm9v*"), "none");
 }
 
 TEST(DrawAll, WritesEveryPictureInThreeFormatsFromARecordedRun) {

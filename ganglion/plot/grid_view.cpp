@@ -2,6 +2,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "ganglion/base/base64.h"
 #include "ganglion/plot/json_view.h"
 
 namespace ganglion::plot {
@@ -58,34 +59,6 @@ std::uint8_t label_of(std::uint8_t byte, std::uint8_t risk) noexcept {
 }
 
 }  // namespace
-
-std::optional<std::vector<std::uint8_t>> base64_bytes(std::string_view text) {
-  while (!text.empty() && text.back() == '=') text.remove_suffix(1);
-  std::vector<std::uint8_t> bytes;
-  bytes.reserve(text.size() * 3 / 4);
-  std::uint32_t bits = 0;
-  int held = 0;
-  for (const char c : text) {
-    int value = -1;
-    if (c >= 'A' && c <= 'Z')
-      value = c - 'A';
-    else if (c >= 'a' && c <= 'z')
-      value = c - 'a' + 26;
-    else if (c >= '0' && c <= '9')
-      value = c - '0' + 52;
-    else if (c == '+')
-      value = 62;
-    else if (c == '/')
-      value = 63;
-    if (value < 0) return std::nullopt;
-    bits = (bits << 6 | static_cast<std::uint32_t>(value)) & 0xffffff;
-    held += 6;
-    if (held < 8) continue;
-    held -= 8;
-    bytes.push_back(static_cast<std::uint8_t>(bits >> held));
-  }
-  return bytes;
-}
 
 std::optional<GridFrame> grid_from(const Json& grid, double time_s) {
   const auto bytes = base64_bytes(text_in(grid, "data"));

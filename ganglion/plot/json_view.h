@@ -44,7 +44,4 @@ std::optional<GridFrame> grid_from(const Json& grid, double time_s);
 /// these do not tell.
 std::optional<Coordination> coordination_from(const Json& coordinator, const SignalTable& signals);
 
-/// The bytes of RFC 4648 text; none if it is not.
-std::optional<std::vector<std::uint8_t>> base64_bytes(std::string_view text);
-
 }  // namespace ganglion::plot

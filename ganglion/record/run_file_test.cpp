@@ -51,8 +51,12 @@ class RunFileTest : public FolderTest {
 
 TEST_F(RunFileTest, ReadsBackWhatWasRecorded) {
   auto recorder = record(3, options());
-  ASSERT_TRUE(
-      recorder.finish({.digest = "abc", .success = true, .reason = "goal", .measures = {{"b", 0.1}, {"a", NAN}}}));
+  ASSERT_TRUE(recorder.finish({.digest = "abc",
+                               .success = true,
+                               .reason = "goal",
+                               .reason_es = "meta",
+                               .criterion = "a > 1",
+                               .measures = {{"b", 0.1}, {"a", NAN}}}));
   const auto run = RunFile::read(path());
   ASSERT_TRUE(run) << run.error().text();
   EXPECT_TRUE(run->damages.empty());
@@ -67,6 +71,8 @@ TEST_F(RunFileTest, ReadsBackWhatWasRecorded) {
   EXPECT_EQ(run->outcome->digest, "abc");
   EXPECT_TRUE(run->outcome->success);
   EXPECT_EQ(run->outcome->reason, "goal");
+  EXPECT_EQ(run->outcome->reason_es, "meta");
+  EXPECT_EQ(run->outcome->criterion, "a > 1");
   ASSERT_EQ(run->outcome->measures.size(), 2u);
   EXPECT_EQ(run->outcome->measures[0], (std::pair<std::string, double>("b", 0.1)));
   EXPECT_TRUE(std::isnan(run->outcome->measures[1].second));

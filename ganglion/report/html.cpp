@@ -30,16 +30,16 @@ std::string_view unit_of(std::string_view measure) noexcept {
                                                                                          {"s", "s"},
                                                                                          {"ms", "ms"},
                                                                                          {"us", "µs"},
-                                                                                         {"hz", "Hz"},
+                                                                                         {"Hz", "Hz"},
                                                                                          {"mps", "m/s"},
                                                                                          {"mps2", "m/s²"},
                                                                                          {"rad", "rad"},
                                                                                          {"deg", "°"},
                                                                                          {"radps", "rad/s"},
                                                                                          {"percent", "%"},
-                                                                                         {"v", "V"},
-                                                                                         {"w", "W"},
-                                                                                         {"j", "J"}}};
+                                                                                         {"V", "V"},
+                                                                                         {"W", "W"},
+                                                                                         {"J", "J"}}};
   const std::size_t line = measure.rfind('_');
   if (line == std::string_view::npos) return {};
   for (const auto& [suffix, unit] : kUnits)

@@ -3,6 +3,8 @@
 #include <bit>
 #include <vector>
 
+#include "ganglion/base/base64.h"
+
 namespace ganglion::report {
 namespace {
 
@@ -20,21 +22,6 @@ std::string pack(std::span<const Unsigned> values) {
 }
 
 }  // namespace
-
-std::string base64(std::span<const std::uint8_t> bytes) {
-  static constexpr char kLetters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t left = bytes.size() - i;
-    const std::uint32_t three = bytes[i] << 16 | (left > 1 ? bytes[i + 1] << 8 : 0) | (left > 2 ? bytes[i + 2] : 0);
-    text += kLetters[three >> 18];
-    text += kLetters[three >> 12 & 63];
-    text += left > 1 ? kLetters[three >> 6 & 63] : '=';
-    text += left > 2 ? kLetters[three & 63] : '=';
-  }
-  return text;
-}
 
 std::string pack_f32(std::span<const double> values) {
   std::vector<std::uint32_t> bits;

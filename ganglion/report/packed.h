@@ -6,9 +6,6 @@
 
 namespace ganglion::report {
 
-/// RFC 4648, section 4, with padding.
-std::string base64(std::span<const std::uint8_t> bytes);
-
 /// Numbers as little-endian bytes in base64: what unpack() of the player reads, on any machine.
 std::string pack_f32(std::span<const double> values);
 std::string pack_u32(std::span<const std::uint32_t> values);

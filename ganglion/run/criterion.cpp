@@ -41,6 +41,12 @@ std::string Criterion::text() const {
   return fmt::format("{} {} {}", name, kRelations[static_cast<std::size_t>(relation)], shortest(bound));
 }
 
+std::string text_of(const std::vector<Criterion>& criteria) {
+  std::string text;
+  for (const Criterion& criterion : criteria) text += (text.empty() ? "" : "; ") + criterion.text();
+  return text;
+}
+
 Result<Criterion> parse_criterion(std::string_view text) {
   std::vector<std::string> words;
   for (const std::string& word : split(text, ' ')) {

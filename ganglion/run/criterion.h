@@ -28,6 +28,9 @@ struct Criterion {
   std::string text() const;
 };
 
+/// All of them, "; " between.
+std::string text_of(const std::vector<Criterion>& criteria);
+
 /// Reads "<measure> <relation> <number>" with <, <=, ==, >=, >. Fails with Syntax.
 Result<Criterion> parse_criterion(std::string_view text);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ganglion/base/base64.h"
 #include "ganglion/base/hash.h"
 
 namespace ganglion {
@@ -21,19 +22,6 @@ std::string fields_json(const GridExhibit& grid) {
 }
 
 }  // namespace
-
-std::string base64(std::span<const std::uint8_t> bytes) {
-  constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t word = 0;
-    for (std::size_t k = 0; k < 3; ++k) word = (word << 8) | (k < count ? bytes[i + k] : 0u);
-    for (std::size_t k = 0; k < 4; ++k) text += k <= count ? kLetters[(word >> (18 - 6 * k)) & 63] : '=';
-  }
-  return text;
-}
 
 ExhibitWriter::ExhibitWriter(RunRecorder& recorder, std::map<std::string, std::uint64_t>& shown, std::string robot,
                              std::string component, double time_s)

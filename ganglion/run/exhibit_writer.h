@@ -29,7 +29,4 @@ class ExhibitWriter final : public Exhibition {
   double time_s_;
 };
 
-/// RFC 4648 text of bytes.
-std::string base64(std::span<const std::uint8_t> bytes);
-
 }  // namespace ganglion

@@ -84,6 +84,7 @@ Result<Recording> Recording::start(const Prepared& prepared, const RunOptions& o
   if (auto attached = attach_inputs(*recording.recorder_, prepared.experiment); !attached) {
     return tl::unexpected<Error>(attached.error());
   }
+  recording.criterion_ = text_of(prepared.experiment.success);
   recording.recorder_->attach(kExperienceAttachment, export_parts(to_parts(options.experience)));
   recording.writer_ = std::make_unique<RunWriter>(*recording.recorder_, prepared.experiment, prepared.controller,
                                                   *prepared.robot, simulation, controllers);
@@ -93,7 +94,8 @@ Result<Recording> Recording::start(const Prepared& prepared, const RunOptions& o
 Result<void> Recording::finish(RunResult& result) {
   if (!recorder_) return {};
   result.files.push_back(file_.string());
-  return recorder_->finish({result.digest, result.success, result.reason, result.measures});
+  return recorder_->finish({result.digest, result.success, result.reason, result.reason_es, criterion_, result.measures,
+                            result.component_digests});
 }
 
 Result<RecordedInputs> unpack_inputs(const RunFile& run, const fs::path& folder) {

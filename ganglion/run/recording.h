@@ -25,6 +25,7 @@ class Recording {
   std::filesystem::path file_;
   std::unique_ptr<RunRecorder> recorder_;
   std::unique_ptr<RunWriter> writer_;
+  std::string criterion_;
 };
 
 /// The input files of a recorded run, written below `folder`, and how they were used.

@@ -1,11 +1,12 @@
 #pragma once
 
-#include <cstdint>
 #include <string_view>
+
+#include "ganglion/descriptor/language.h"
 
 namespace ganglion::plot {
 
-enum class Language : std::uint8_t { English, Spanish };
+using ganglion::Language;
 
 /// "en" or "es".
 constexpr std::string_view tag_of(Language language) noexcept { return language == Language::Spanish ? "es" : "en"; }

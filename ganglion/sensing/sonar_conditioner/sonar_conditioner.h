@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "ganglion/module/sensing_module.h"
+#include "ganglion/units/speed_of_sound.h"
 
 namespace ganglion {
 
@@ -15,9 +16,6 @@ struct SonarConditionerConfig {
   double dead_after_s = 0.5;
   int readings = 3;
 };
-
-/// Speed of sound in air [m/s] at a temperature [deg C].
-constexpr double speed_of_sound_mps(double temperature_C) noexcept { return 331.3 + 0.606 * temperature_C; }
 
 /// A sonar as the behaviours want it: one range, after REP-117.
 ///

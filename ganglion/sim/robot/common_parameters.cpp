@@ -83,9 +83,27 @@ constexpr std::array kEnergyParameters = {
                         .ours = true},
 };
 
+constexpr ParameterDescriptor of_battery(std::string_view name, std::string_view unit, double preset, double min,
+                                         double max, Text help) {
+  return {.name = name, .unit = unit, .preset = preset, .min = min, .max = max, .help = help, .ours = true};
+}
+
+constexpr std::array kBatteryParameters = {
+    of_battery("capacity_J", "J", 50000, 1e-3, 1e12, {"Energy of a full charge", "Energía de una carga completa"}),
+    of_battery("full_V", "V", 8.4, 0.1, 1000,
+               {"Open voltage at full charge, which the drive's full speed is stated for",
+                "Tensión en vacío a plena carga, a la que corresponde la velocidad máxima"}),
+    of_battery("empty_V", "V", 6, 0.1, 1000,
+               {"Open voltage at the end of the charge", "Tensión en vacío al acabarse la carga"}),
+    of_battery("resistance_ohm", "ohm", 0.1, 0, 1000,
+               {"Inner resistance: the voltage sags under load", "Resistencia interna: la tensión cae con la carga"}),
+    of_battery("charge", "", 1, 0, 1, {"Share of the capacity at the start", "Parte de la capacidad al comienzo"}),
+};
+
 }  // namespace
 
 std::span<const ParameterDescriptor> sensor_parameters() noexcept { return kSensorParameters; }
 std::span<const ParameterDescriptor> energy_parameters() noexcept { return kEnergyParameters; }
+std::span<const ParameterDescriptor> battery_parameters() noexcept { return kBatteryParameters; }
 
 }  // namespace ganglion::sim

@@ -66,12 +66,15 @@ void read_command(Table& table, std::vector<std::string>& names, RobotDescriptio
 }  // namespace
 
 void read_described(Table& root, RobotDescription& description) {
-  for (const char* key : {"drive", "sensor", "energy", "substep_s"}) {
+  for (const char* key : {"drive", "sensor", "energy", "battery", "substep_s"}) {
     if (root.has(key)) {
       root.problem(key, ErrorCode::BadParameter,
                    "{} does not go with [[sensation]] and [[command]]: a robot is either simulated or described", key);
     }
     root.known(key);
+  }
+  for (const char* key : {"sensation", "command"}) {  // either of them makes it this form: to editors it is required
+    if (root.has(key)) root.asks(key, {.form = config::Asked::Form::Tables, .required = true});
   }
   std::vector<std::string> sensations, commands;
   each_table(root, "sensation", [&](Table& table) { read_sensation(table, sensations, description); });

@@ -37,6 +37,8 @@ class Drive {
   virtual void command(std::span<const double> values, const Pose2& pose, double step_s, bool fresh) noexcept = 0;
   /// The next sub-step, from where the body is.
   virtual Movement move(const Pose2& pose, double step_s) noexcept = 0;
+  /// The share of its full voltage that the battery gives from now on, in [0, 1]; 1 where there is no battery.
+  virtual void supply(double share) noexcept { static_cast<void>(share); }
   /// The centre's speed if it is the same in all sub-steps to come, which are exact then however long they are; +inf
   /// where the drive cannot promise that, and short sub-steps are taken.
   virtual double steady_mps() const noexcept { return std::numeric_limits<double>::infinity(); }

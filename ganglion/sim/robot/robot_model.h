@@ -48,12 +48,30 @@ struct EnergyModel {
   double contact_J = 0;
 };
 
+/// What the robot's energy is taken from. The open voltage falls in a straight line with the charge; the resistance
+/// takes its part with the current. Drives slow down with the voltage and stand once the charge is gone. Ours.
+struct BatteryModel {
+  double capacity_J = 0;  ///< 0 = no battery: energy without end at full voltage.
+  double full_V = 8.4;    ///< Open, at full charge; what the drive's full speed is stated for.
+  double empty_V = 6;     ///< Open, at the end of the charge.
+  double resistance_ohm = 0.1;
+  double charge = 1;  ///< At the start of an episode.
+
+  bool present() const noexcept { return capacity_J > 0; }
+  /// At the terminals: the root of V^2 - open V + R P = 0, V = open / 2 + sqrt(open^2 / 4 - R P); half the open voltage
+  /// where that power is more than the battery can give, 0 without charge.
+  double voltage_V(double charge_left, double power_W) const noexcept;
+};
+
 /// A robot as its file states it: immutable, shared by any number of simulations and threads.
 struct RobotModel {
   RobotDescription description;
   double radius_m = 0;      ///< In contact and in sight of others the body is a disc about its centre.
   double substep_s = 0.01;  ///< Motion and contacts are worked out in steps of at most this.
   EnergyModel energy{};
+  BatteryModel battery{};
+  double climb_rad = kPi / 2;        ///< Steepest slope its drive can climb; on steeper ones it stalls.
+  double tip_rad = kPi / 2;          ///< On slopes steeper than that it tips over.
   const DriveKind* drive = nullptr;  ///< Null: the file only describes a robot that is not simulated.
   Parameters drive_parameters{{}};
   std::vector<SensorModel> sensors;
@@ -66,16 +84,18 @@ struct RobotModel {
 /// A file has `format = 1`, `name`, `tick_s`, and `[body] length_m, width_m, radius_m`: the disc that collides has half
 /// the body's diagonal as its radius unless `radius_m` is given. Then either
 ///   * a simulated robot: `[drive] kind` and its parameters, any number of `[[sensor]] id, kind, x_m, y_m, yaw_deg,
-///     period_s, phase_s, fault, fault_from_s` and its parameters, `[energy]` (EnergyModel), `substep_s`;
-///     sensations are then named "id.channel", and the command channel as the drive's kind names it; or
+///     period_s, phase_s, fault, fault_from_s` and its parameters, `[energy]` (EnergyModel), `[battery]`
+///     (BatteryModel), `substep_s`, and on the body `climb_deg`, `tip_deg`; sensations are then named "id.channel", and
+///     the command channel as the drive's kind names it; or
 ///   * a bare description of a robot elsewhere: `[[sensation]] name, unit, type, elements, min, max, period_s, x_m,
 ///   y_m,
 ///     yaw_deg` and `[[command]] name, elements, units, min, max, safe`.
 std::shared_ptr<const RobotModel> load_robot(const std::filesystem::path& path, const SimKinds& kinds,
                                              std::span<const config::Override> overrides, Problems& problems);
-/// The same from a text.
+/// The same from a text. `outline` takes down what was asked.
 std::shared_ptr<const RobotModel> parse_robot(std::string_view text, const std::string& file_name,
-                                              const SimKinds& kinds, Problems& problems);
+                                              const SimKinds& kinds, Problems& problems,
+                                              config::Outline* outline = nullptr);
 /// Only what a robot.toml of either form describes, to check a controller against.
 std::optional<RobotDescription> load_description(const std::filesystem::path& path, const SimKinds& kinds,
                                                  std::span<const config::Override> overrides, Problems& problems);
@@ -84,5 +104,7 @@ std::optional<RobotDescription> load_description(const std::filesystem::path& pa
 std::span<const ParameterDescriptor> sensor_parameters() noexcept;
 /// The keys of [energy].
 std::span<const ParameterDescriptor> energy_parameters() noexcept;
+/// The keys of [battery].
+std::span<const ParameterDescriptor> battery_parameters() noexcept;
 
 }  // namespace ganglion::sim

@@ -23,6 +23,12 @@ struct Mounting {
 };
 inline constexpr Mounting kCentred{};
 
+/// A ping of the same robot, sent while a sensor listens.
+struct Ping {
+  const Mounting* mounting = &kCentred;  ///< Of the sensor that sends it.
+  double cos_half_cone = 1;
+};
+
 /// All that a sensor may look at.
 struct Scene {
   const World& world;
@@ -33,8 +39,9 @@ struct Scene {
   double radius_m = 0;                   ///< Of the robot's own disc.
   std::uint32_t tick = 0;
   double time_s = 0;
-  std::span<const Hit> hits{};  ///< What the sensor's rays() meet, where they were cast beforehand.
-  Sight* sight = nullptr;       ///< What the robot sees, gathered beforehand: the same as `world` and `others` hold.
+  std::span<const Hit> hits{};    ///< What the sensor's rays() meet, where they were cast beforehand.
+  std::span<const Ping> pings{};  ///< Sent by sensors of the robot that fire now, its own among them.
+  Sight* sight = nullptr;         ///< What the robot sees, gathered beforehand: the same as `world` and `others` hold.
 
   /// A vector given in the robot's frame, in the world's.
   Vector2 turned(Vector2 on_robot) const noexcept { return heading * on_robot.x + heading.left() * on_robot.y; }
@@ -77,6 +84,8 @@ class Sensor {
   virtual std::span<const Vector2> rays() const noexcept { return {}; }
   /// How far it sees; 0 = not at all. Rays that it casts itself, ways there included, end no farther off either.
   virtual double reach_m() const noexcept { return 0; }
+  /// Cosine of half the cone of what it sends when it fires; none if it only listens.
+  virtual std::optional<double> ping_cos_half_cone() const noexcept { return std::nullopt; }
   /// An episode begins. Fails where the scene makes no sense to it.
   virtual Result<void> reset(const Scene&, Draws) { return {}; }
   /// Whether it wants to be told how time goes by between firings.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "ganglion/geometry/pose2.h"
 
 namespace ganglion::sim {
@@ -22,6 +24,11 @@ struct Truth {
   int contacts = 0;                ///< Contacts begun since the reset. Pushing on is no new contact.
   double contact_speed_mps = 0;    ///< Speed along the normal at which the last step's hardest contact began, else 0.
   double fastest_contact_mps = 0;  ///< The same since the reset.
+  double battery_V =
+      std::numeric_limits<double>::quiet_NaN();  ///< At its terminals, under load; NaN without a battery.
+  double charge = 1;                             ///< Share of the battery's capacity that is left.
+  bool stalled = false;                          ///< Kept in the last sub-step from climbing what is too steep for it.
+  bool tipped = false;                           ///< Has fallen over on a slope; moves no more.
 };
 
 }  // namespace ganglion::sim

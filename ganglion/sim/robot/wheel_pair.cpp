@@ -14,7 +14,10 @@ constexpr double kSettled_mps = 1e-6;  // a lag never quite ends
 
 }  // namespace
 
-void WheelPair::reset() noexcept { left_ = right_ = Side{}; }
+void WheelPair::reset() noexcept {
+  left_ = right_ = Side{};
+  supply_ = 1;
+}
 
 void WheelPair::command(double left_duty, double right_duty) noexcept {
   left_.duty = left_duty;
@@ -23,7 +26,7 @@ void WheelPair::command(double left_duty, double right_duty) noexcept {
 
 double WheelPair::wanted_mps(const Side& side, double gain) const noexcept {
   const double moving_duty = std::fabs(side.duty) < config_.dead_zone ? 0 : side.duty;
-  return moving_duty * gain * config_.full_scale_mps;
+  return moving_duty * gain * config_.full_scale_mps * supply_;
 }
 
 double WheelPair::steady_mps() const noexcept {

@@ -21,6 +21,8 @@ class WheelPair {
   explicit WheelPair(const WheelPairConfig& config) noexcept : config_(config), lag_(config.lag_s) {}
   void reset() noexcept;
   void command(double left_duty, double right_duty) noexcept;
+  /// See Drive::supply(): speeds fall with the voltage.
+  void supply(double share) noexcept { supply_ = share; }
   Movement move(const Pose2& pose, double step_s) noexcept;
   /// See Drive::steady_mps(): once the motors have followed their duties.
   double steady_mps() const noexcept;
@@ -37,6 +39,7 @@ class WheelPair {
   WheelPairConfig config_;
   FirstOrderLag lag_;
   Side left_, right_;
+  double supply_ = 1;
 };
 
 /// The parameters that both kinds list in their descriptors.

@@ -17,7 +17,8 @@ constexpr double kAlongNormal = 0.99;  // cosine between a contact's normal and 
 
 }  // namespace
 
-Body::Body(const RobotModel& model, std::unique_ptr<Drive> drive) : model_(&model), drive_(std::move(drive)) {
+Body::Body(const RobotModel& model, std::unique_ptr<Drive> drive)
+    : model_(&model), drive_(std::move(drive)), ride_(model) {
   for (const CommandElement& element : model.description.commands.front().elements) safe_.push_back(element.safe);
   command_ = safe_;
 }
@@ -27,12 +28,14 @@ void Body::make_room(std::size_t robots) {
   bumps_.reserve(robots);
 }
 
-void Body::reset(const Pose2& pose) noexcept {
+void Body::reset(const Pose2& pose, const StreamId& chance) noexcept {
   truth_ = {};
   truth_.pose = truth_.start = pose;
   contacts_.clear();
   room_m_ = 0;
   drive_->reset();
+  ride_.reset(chance);
+  sag(0);
   bumps_.clear();
 }
 
@@ -45,6 +48,7 @@ void Body::begin(const ActFrame& frame, double step_s) noexcept {
   ttl_s_ = frame.ttl_s[0];
   lapsed_ = false;
   truth_.touched = truth_.touching;
+  ride_.begin();
   truth_.contact_speed_mps = 0;
   truth_.step_energy_J = 0;
   drive_->command(command_, truth_.pose, step_s, true);
@@ -56,7 +60,8 @@ void Body::lapse(double step_s) noexcept {
 }
 
 double Body::steady_way_m(double step_s) const noexcept {
-  if (ttl_s_ < step_s - kTimeTolerance_s) return std::numeric_limits<double>::infinity();
+  // A battery changes the speed with every sub-step.
+  if (model_->battery.present() || ttl_s_ < step_s - kTimeTolerance_s) return std::numeric_limits<double>::infinity();
   return drive_->steady_mps() * step_s;
 }
 
@@ -99,10 +104,13 @@ World::Slide Body::slide(const World& world, Neighbours& all, std::size_t self, 
 }
 
 void Body::move(const World& world, Neighbours& all, std::size_t self, double time_s, double step_s) noexcept {
-  const Movement movement = drive_->move(truth_.pose, step_s);
+  const Floor& floor = world.ground().plan().floor;
+  Movement movement = drive_->move(truth_.pose, step_s);
+  if (!floor.plain()) movement = ride_.over(floor, movement, truth_);
   World::Slide result{truth_.pose.position, truth_.touching, truth_.contact_normal};  // at rest nothing changes
   const bool moves = movement.displacement.squared() > 0;
   if (moves) result = slide(world, all, self, movement.displacement);
+  if (!floor.bumps.empty()) movement.turn_rad += ride_.jolt_rad(floor, truth_.pose.position, result.position);
   truth_.touching = result.touched;
   truth_.touched = truth_.touched || result.touched;
   go(movement, result.position, (result.position - truth_.pose.position).length(), step_s);
@@ -125,7 +133,9 @@ void Body::go(const Movement& movement, Vector2 to, double path_m, double step_s
   truth_.travelled_m += path_m;
   room_m_ -= gone.length() + kRounding_m;
   const EnergyModel& energy = model_->energy;
-  spend((energy.idle_W + energy.drive_W * movement.effort) * step_s + energy.travel_J_per_m * path_m);
+  const double power_W = energy.idle_W + energy.drive_W * movement.effort;
+  spend(power_W * step_s + energy.travel_J_per_m * path_m);
+  sag(power_W + energy.travel_J_per_m * path_m / step_s);
 }
 
 void Body::note_contact(Vector2 normal, double speed_mps, double time_s) noexcept {
@@ -153,6 +163,14 @@ void Body::bumped(Vector2 normal, double speed_mps, double time_s) noexcept {
 void Body::spend(double energy_J) noexcept {
   truth_.energy_J += energy_J;
   truth_.step_energy_J += energy_J;
+}
+
+void Body::sag(double power_W) noexcept {
+  const BatteryModel& battery = model_->battery;
+  if (!battery.present()) return;
+  truth_.charge = std::max(battery.charge - truth_.energy_J / battery.capacity_J, 0.0);
+  truth_.battery_V = battery.voltage_V(truth_.charge, power_W);
+  drive_->supply(std::min(truth_.battery_V / battery.full_V, 1.0));
 }
 
 }  // namespace ganglion::sim

@@ -6,6 +6,7 @@
 #include "ganglion/application/application.h"
 #include "ganglion/sim/robot/robot_model.h"
 #include "ganglion/sim/simulation/contact_memory.h"
+#include "ganglion/sim/simulation/floor_ride.h"
 #include "ganglion/sim/simulation/neighbours.h"
 
 namespace ganglion::sim {
@@ -17,7 +18,8 @@ class Body {
 
   /// Takes the memory that a step among so many robots needs.
   void make_room(std::size_t robots);
-  void reset(const Pose2& pose) noexcept;
+  /// `chance` is the source of what the floor does to it.
+  void reset(const Pose2& pose, const StreamId& chance) noexcept;
   /// A step begins: takes the commands, made finite and put within their limits.
   void begin(const ActFrame& frame, double step_s) noexcept;
   /// The way its centre goes in the step just begun if nothing stops it; +inf where that is not known, or where it does
@@ -52,6 +54,8 @@ class Body {
   void note_contact(Vector2 normal, double speed_mps, double time_s) noexcept;
   void note_bumps(Neighbours& all, std::size_t self, Vector2 normal, double speed_mps) noexcept;
   void spend(double energy_J) noexcept;
+  /// The battery after a sub-step under that power, for the next one.
+  void sag(double power_W) noexcept;
 
   const RobotModel* model_;
   std::unique_ptr<Drive> drive_;
@@ -62,6 +66,7 @@ class Body {
   bool lapsed_ = false;
   double room_m_ = 0;  // no surface of the ground is nearer to the body than this
   ContactMemory contacts_;
+  FloorRide ride_;
   Truth truth_;
 };
 

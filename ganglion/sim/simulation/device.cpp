@@ -21,9 +21,11 @@ Result<void> Device::reset(const Scene& scene, const StreamId& stream) {
   StreamId beginning = stream;
   beginning.component = combine(stream.component, hash_name("reset"));
   if (auto begun = sensor_->reset(scene, Draws(beginning, 0)); !begun) return begun;
-  if (model_->phase_s <= kTimeTolerance_s) fire(scene);
+  if (fires_at_once()) fire(scene);
   return {};
 }
+
+bool Device::fires_at_once() const noexcept { return model_->phase_s <= kTimeTolerance_s; }
 
 double Device::firings(double time_s) const noexcept {
   if (time_s < model_->phase_s - kTimeTolerance_s) return 0;

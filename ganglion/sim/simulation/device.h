@@ -22,6 +22,8 @@ class Device {
   void hear(const ActFrame& frame) noexcept { sensor_->hear(frame); }
   double age_s(double time_s) const noexcept { return time_s - fired_s_; }
 
+  /// Whether it fires as an episode begins.
+  bool fires_at_once() const noexcept;
   /// Whether it fires at the end of the sub-step from begin_s to now_s; the step it belongs to ends at end_s, and no
   /// firing before the step's last one would be seen.
   bool due(double begin_s, double now_s, double end_s) const noexcept;

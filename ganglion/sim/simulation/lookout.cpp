@@ -27,6 +27,7 @@ Lookout::Lookout(const World& world, Neighbours& neighbours, const RobotModel& m
   lay_out(devices, false);
   group_called_.resize(fan_.groups());
   calls_.reserve(devices.size());
+  pings_.reserve(devices.size());
   const std::size_t robots = neighbours.discs().size();
   others_.reserve(robots);
   if (reach_m_ > 0) sight_ = std::make_unique<Sight>(world.shared_ground(), reach_m_, spread_m, robots);
@@ -56,11 +57,12 @@ void Lookout::lay_out(std::span<const Device> devices, bool few) {
 
 std::span<const Lookout::Call> Lookout::call(std::span<const Device> devices, double begin_s, double now_s,
                                              double end_s) noexcept {
-  call_none();
+  forget_calls();
   for (std::size_t n = 0; n < devices.size(); ++n) {
     const bool fires = devices[n].due(begin_s, now_s, end_s);
     const bool follows = devices[n].sensor().follows();
     if (fires || follows) calls_.push_back({n, fires, follows});
+    if (fires) ping(devices[n], n);
     cast_[n] = fires && posts_[n].rays > 0;
     if (!cast_[n]) continue;
     for (std::size_t g = posts_[n].first_group; g < posts_[n].end_group; ++g) group_called_[g] = true;
@@ -68,8 +70,20 @@ std::span<const Lookout::Call> Lookout::call(std::span<const Device> devices, do
   return calls_;
 }
 
-void Lookout::call_none() noexcept {
+void Lookout::call_first(std::span<const Device> devices) noexcept {
+  forget_calls();
+  for (std::size_t n = 0; n < devices.size(); ++n) {
+    if (devices[n].fires_at_once()) ping(devices[n], n);
+  }
+}
+
+void Lookout::ping(const Device& device, std::size_t n) noexcept {
+  if (const auto cone = device.sensor().ping_cos_half_cone()) pings_.push_back({&posts_[n].mounting, *cone});
+}
+
+void Lookout::forget_calls() noexcept {
   calls_.clear();
+  pings_.clear();
   std::fill(cast_.begin(), cast_.end(), false);
   std::fill(group_called_.begin(), group_called_.end(), false);
 }
@@ -83,7 +97,8 @@ void Lookout::begin(std::size_t robot, const Truth& truth, std::uint32_t tick, d
                        .others = {},
                        .radius_m = radius_m_,
                        .tick = tick,
-                       .time_s = time_s});
+                       .time_s = time_s,
+                       .pings = pings_});
   for (std::size_t g = 0; g < group_called_.size(); ++g) {
     if (!group_called_[g]) continue;
     if (!gathered_) gather();

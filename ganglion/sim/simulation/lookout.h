@@ -27,8 +27,9 @@ class Lookout {
   /// Finds out which devices have to do in the sub-step from begin_s to now_s, of a step that ends at end_s; it is the
   /// same for all robots. `devices` are those of any.
   std::span<const Call> call(std::span<const Device> devices, double begin_s, double now_s, double end_s) noexcept;
-  /// Nobody fires, though all get their scenes.
-  void call_none() noexcept;
+  /// An episode begins: nobody's rays are cast beforehand, though all get their scenes and those that fire at once
+  /// ping.
+  void call_first(std::span<const Device> devices) noexcept;
   /// Turns to a robot and casts the rays of its devices that fire.
   void begin(std::size_t robot, const Truth& truth, std::uint32_t tick, double time_s) noexcept;
   /// No other robot's centre is nearer to that of this one; 0 where nobody looked.
@@ -48,6 +49,8 @@ class Lookout {
   };
   void lay_out(std::span<const Device> devices, bool few);
   void gather() noexcept;
+  void forget_calls() noexcept;
+  void ping(const Device& device, std::size_t n) noexcept;
 
   const World* world_;
   Neighbours* neighbours_;
@@ -59,6 +62,7 @@ class Lookout {
   std::vector<Call> calls_;
   std::vector<char> cast_;  // by device: whether its rays are
   std::vector<char> group_called_;
+  std::vector<Ping> pings_;
   std::vector<Disc> others_;
   std::optional<Scene> scene_;
   std::size_t robot_ = 0;

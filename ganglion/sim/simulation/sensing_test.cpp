@@ -144,5 +144,26 @@ TEST(Simulation, SeesTheOtherRobotsThatItStandsAmong) {
   EXPECT_NEAR(trial.value("eye.range", 1), 1.8, 1e-9);
 }
 
+TEST(Simulation, LetsSonarsHearEachOtherWithinASlotOnly) {
+  // One sonar 0.08 m behind the centre, one 0.08 m ahead; the wall is 2 m from the centre. The rear one takes the
+  // other's ping, 1.92 m there and 2.08 m back, for an echo of 2 m.
+  const auto robot = [](double phase_s, bool crosstalk) {
+    return kFast + fmt::format(
+                       "[[sensor]]\nid = \"rear\"\nkind = \"Sonar\"\nx_m = -0.08\nrays = 1\nnoise_m = 0\n"
+                       "resolution_m = 0\nperiod_s = 0.2\ncrosstalk = {}\n"
+                       "[[sensor]]\nid = \"front\"\nkind = \"Sonar\"\nx_m = 0.08\nrays = 1\nnoise_m = 0\n"
+                       "period_s = 0.2\nphase_s = {}\n",
+                       crosstalk, phase_s);
+  };
+  for (const int steps : {0, 4}) {
+    Trial together(kRoom, robot(0, true), at(8, 5)), in_turn(kRoom, robot(0.1, true), at(8, 5)),
+        without(kRoom, robot(0, false), at(8, 5));
+    for (Trial* trial : {&together, &in_turn, &without}) trial->go({0, 0}, 0.1, steps);
+    EXPECT_NEAR(together.value("rear.range"), 2, 1e-5) << steps;
+    EXPECT_NEAR(in_turn.value("rear.range"), 2.08, 1e-9) << steps;
+    EXPECT_NEAR(without.value("rear.range"), 2.08, 1e-9) << steps;
+  }
+}
+
 }  // namespace
 }  // namespace ganglion::sim

@@ -64,12 +64,12 @@ Result<void> Simulation::reset(std::uint64_t seed, std::uint32_t episode) {
   std::vector<Pose2> poses(robots_.size());
   if (auto placed = spawner_.place(world_, seed, episode, poses); !placed) return placed;
   for (std::size_t i = 0; i < robots_.size(); ++i) {
-    robots_[i].body.reset(poses[i]);
+    robots_[i].body.reset(poses[i], {seed, episode, static_cast<std::uint32_t>(i), hash_name("floor")});
     neighbours_.put(i, robots_[i].body.disc());
   }
   neighbours_.sort();
   std::fill(alone_m_.begin(), alone_m_.end(), 0);
-  lookout_->call_none();
+  lookout_->call_first(robots_.front().devices);
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     std::vector<Device>& devices = robots_[i].devices;
     lookout_->begin(i, robots_[i].body.truth(), 0, 0);
@@ -113,7 +113,8 @@ void Simulation::step(std::span<const ActFrame> frames, double step_s) noexcept 
   }
   const int count = std::max(1, static_cast<int>(std::ceil(step_s / config_.model->substep_s - 1e-9)));
   const double length_s = step_s / count, last_s = time_s_ + length_s * (count - 1);
-  const bool at_once = world_.movers().empty() && devices_wait(last_s, end_s);
+  const bool plain = world_.movers().empty() && world_.ground().plan().floor.plain();
+  const bool at_once = plain && devices_wait(last_s, end_s);
   neighbours_.sort();
   busy_.clear();
   for (std::size_t i = 0; i < frames.size(); ++i) busy_.push_back(i);

@@ -26,10 +26,10 @@ struct SimulationConfig {
 ///
 /// A step is cut into sub-steps of at most model.substep_s. In each the movers go first, then the robots in the order
 /// of their indices, then their sensors. A sensor fires at the end of the sub-step in which it is due, for a step's
-/// frame only its last firing counts. Where there are no movers and no sensor wants to know what happens within a step,
-/// robots that drive steadily and can meet nothing on their way go all of it at once, before the others. Commands lapse
-/// to their safe values exactly after their time to live. The cost of a frame is the energy the step before it took;
-/// the first frame of an episode has none. reset() takes memory; sense() and step() take none.
+/// frame only its last firing counts. Where there are no movers, the floor is plain and no sensor wants to know what
+/// happens within a step, robots that drive steadily and can meet nothing on their way go all of it at once, before the
+/// others. Commands lapse to their safe values exactly after their time to live. The cost of a frame is the energy the
+/// step before it took; the first frame of an episode has none. reset() takes memory; sense() and step() take none.
 class Simulation final : public Application {
  public:
   /// Fails with BadParameter without ground, robots or a simulated model, or where the spawn rule cannot hold.

@@ -2,26 +2,35 @@
 
 #include <gtest/gtest.h>
 
+#include "ganglion/sim/drive/ackermann/ackermann.h"
 #include "ganglion/sim/drive/differential/differential.h"
 #include "ganglion/sim/drive/stepper/stepper.h"
 #include "ganglion/sim/drive/tracked/tracked.h"
 #include "ganglion/sim/robot/testing.h"
+#include "ganglion/sim/sensor/audio_events/audio_events.h"
+#include "ganglion/sim/sensor/battery/battery.h"
 #include "ganglion/sim/sensor/bumper/bumper.h"
+#include "ganglion/sim/sensor/cmps03/cmps03.h"
 #include "ganglion/sim/sensor/compass/compass.h"
 #include "ganglion/sim/sensor/dinsmore_compass/dinsmore_compass.h"
 #include "ganglion/sim/sensor/encoders/encoders.h"
+#include "ganglion/sim/sensor/gps/gps.h"
+#include "ganglion/sim/sensor/pixel_matrix/pixel_matrix.h"
 #include "ganglion/sim/sensor/position/position.h"
 #include "ganglion/sim/sensor/range/range.h"
 #include "ganglion/sim/sensor/sonar/sonar.h"
+#include "ganglion/sim/sensor/thermometer/thermometer.h"
+#include "ganglion/sim/sensor/tilt/tilt.h"
 #include "ganglion/sim/sensor/trainer/trainer.h"
 #include "ganglion/sim/simulation/simulation.h"
 
 namespace ganglion::sim::testing {
 
-inline constexpr std::array kDrives = {&differential_kind, &stepper_kind, &tracked_kind};
-inline constexpr std::array kSensors = {&bumper_kind,   &compass_kind,  &dinsmore_compass_kind,
-                                        &encoders_kind, &position_kind, &range_kind,
-                                        &sonar_kind,    &trainer_kind};
+inline constexpr std::array kDrives = {&ackermann_kind, &differential_kind, &stepper_kind, &tracked_kind};
+inline constexpr std::array kSensors = {
+    &audio_events_kind, &battery_kind, &bumper_kind,       &cmps03_kind,   &compass_kind, &dinsmore_compass_kind,
+    &encoders_kind,     &gps_kind,     &pixel_matrix_kind, &position_kind, &range_kind,   &sonar_kind,
+    &thermometer_kind,  &tilt_kind,    &trainer_kind};
 inline constexpr SimKinds kKinds{kDrives, kSensors};
 
 /// A square of 10 m.

@@ -48,10 +48,19 @@ Box2 bounds_of(const GroundPlan& plan, const SurfaceSet& set) {
     box.include(round.disc.position - reach);
     box.include(round.disc.position + reach);
   }
+  for (const FloorZone& zone : plan.floor.zones) {
+    box.include(zone.box.lower);
+    box.include(zone.box.upper);
+  }
+  for (const Beacon& beacon : plan.beacons) box.include(beacon.position);
   for (const Spawn& spawn : plan.spawns) box.include(spawn.pose.position);
   for (const MoverPlan& mover : plan.movers) {
     for (const Pose2& place : mover.places) box.include(place.position);
     for (const Vector2 point : mover.path) box.include(point);
+    if (!mover.stroll) continue;
+    box.include(mover.stroll->start);
+    box.include(mover.stroll->area.lower);
+    box.include(mover.stroll->area.upper);
   }
   if (set.segments.empty() && set.rounds.empty()) {  // open ground: a field of 20 m round where things start
     if (box.lower.x > box.upper.x) box.include({0, 0});
@@ -88,6 +97,9 @@ Result<Ground> Ground::make(GroundPlan plan, Problems& problems) {
   check_limit(plan, set.rounds.size(), kMaxDiscs, "discs", problems);
   check_limit(plan, plan.movers.size(), kMaxMovers, "movers", problems);
   check_limit(plan, plan.spawns.size(), kMaxSpawns, "spawns", problems);
+  check_limit(plan, plan.floor.zones.size(), kMaxFloorItems, "zones of floor", problems);
+  check_limit(plan, plan.floor.bumps.size(), kMaxFloorItems, "straight pieces of bumps", problems);
+  check_limit(plan, plan.beacons.size(), kMaxBeacons, "beacons", problems);
   if (!problems.empty()) return first_of(problems);
   const Box2 bounds = bounds_of(plan, set);
   Ground ground(std::move(plan), bounds, SurfaceGrid(std::move(set)));

@@ -12,6 +12,11 @@ namespace {
 
 constexpr double kMargin_m = 1e-6;  ///< A mover keeps this far from robots at least.
 
+Pose2 first_pose(const MoverPlan& plan) noexcept {
+  if (plan.stroll) return {plan.stroll->start, plan.yaw};
+  return plan.path.empty() ? plan.places.front() : Pose2{plan.path.front(), plan.yaw};
+}
+
 }  // namespace
 
 void World::reset(std::uint64_t seed, std::uint32_t episode) noexcept {
@@ -20,7 +25,7 @@ void World::reset(std::uint64_t seed, std::uint32_t episode) noexcept {
   for (std::size_t i = 0; i < movers_.size(); ++i) {
     const MoverPlan& plan = ground_->movers()[i];
     errands_[i] = {.change_s = kNoHit, .corner = errands_[i].corner};
-    put(i, plan.path.empty() ? plan.places.front() : Pose2{plan.path.front(), plan.yaw});
+    put(i, first_pose(plan));
     if (plan.places.size() < 2) continue;
     Draws draws({seed_, episode_, 0, combine(hash_name(plan.id), 1)}, 0);
     errands_[i].change_s = draws.uniform(plan.change_min_s, plan.change_max_s);
@@ -30,7 +35,9 @@ void World::reset(std::uint64_t seed, std::uint32_t episode) noexcept {
 void World::advance(std::uint32_t tick, double time_s, double step_s, std::span<const Disc> robots) noexcept {
   expects(step_s >= 0);
   for (std::size_t i = 0; i < movers_.size(); ++i) {
-    if (!ground_->movers()[i].path.empty()) {
+    if (ground_->movers()[i].stroll) {
+      stroll(i, time_s, step_s, robots);
+    } else if (!ground_->movers()[i].path.empty()) {
       walk(i, step_s, robots);
     } else if (time_s + step_s > errands_[i].change_s) {
       jump(i, tick, time_s + step_s, robots);

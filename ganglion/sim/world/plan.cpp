@@ -1,10 +1,11 @@
 #include "ganglion/sim/world/plan.h"
 
 #include <algorithm>
-#include <set>
+#include <array>
 
 #include "ganglion/base/text.h"
 #include "ganglion/config/table.h"
+#include "ganglion/sim/world/plan_floor.h"
 #include "ganglion/sim/world/plan_points.h"
 
 namespace ganglion::sim {
@@ -12,23 +13,6 @@ namespace {
 
 constexpr config::Range kCoordinate{-kMaxCoordinate_m, kMaxCoordinate_m};
 constexpr config::Range kSize{kMinSize_m, 2 * kMaxCoordinate_m};
-
-/// Ids seen so far; they name items in messages, overrides and recordings, so each is given once.
-class Ids {
- public:
-  std::string read(config::Table& table, bool required) {
-    std::string id = required ? table.text("id") : table.text("id", "");
-    if (table.has("id") && id.empty()) table.problem("id", ErrorCode::BadParameter, "the id is empty");
-    if (!id.empty() && !seen_.insert(id).second) {
-      table.problem("id", ErrorCode::BadParameter, "the id \"{}\" is taken: each item needs its own", id);
-    }
-    table.set_context(id);
-    return id;
-  }
-
- private:
-  std::set<std::string> seen_;
-};
 
 Vector2 read_position(config::Table& table) {
   const double x = table.number("x_m", kCoordinate);
@@ -41,8 +25,16 @@ Material read_material(config::Table& table) {
   return static_cast<Material>(table.choice("material", kMaterialNames, 0));
 }
 
+std::optional<Box2> read_box(config::Table& table, std::string_view key) {
+  const auto box = table.numbers(key, {}, 4, kCoordinate);
+  if (box.size() != 4) return std::nullopt;
+  if (box[0] < box[2] && box[1] < box[3]) return Box2{{box[0], box[1]}, {box[2], box[3]}};
+  table.problem(key, ErrorCode::BadParameter, "{} is [min x, min y, max x, max y]: it must not be empty", key);
+  return std::nullopt;
+}
+
 /// What every shape may say.
-Shape read_shape(config::Table& table, Ids& ids, ShapeKind kind) {
+Shape read_shape(config::Table& table, ItemIds& ids, ShapeKind kind) {
   Shape shape;
   shape.kind = kind;
   shape.id = ids.read(table, false);
@@ -52,7 +44,7 @@ Shape read_shape(config::Table& table, Ids& ids, ShapeKind kind) {
   return shape;
 }
 
-void read_walls(config::Table& root, Ids& ids, GroundPlan& plan) {
+void read_walls(config::Table& root, ItemIds& ids, GroundPlan& plan) {
   for (config::Table& table : root.tables("wall")) {
     Shape wall = read_shape(table, ids, ShapeKind::Wall);
     wall.closed = table.boolean("closed", false);
@@ -62,7 +54,7 @@ void read_walls(config::Table& root, Ids& ids, GroundPlan& plan) {
   }
 }
 
-void read_boxes(config::Table& root, Ids& ids, GroundPlan& plan) {
+void read_boxes(config::Table& root, ItemIds& ids, GroundPlan& plan) {
   for (config::Table& table : root.tables("box")) {
     Shape box = read_shape(table, ids, ShapeKind::Box);
     const Vector2 centre = read_position(table);
@@ -72,7 +64,7 @@ void read_boxes(config::Table& root, Ids& ids, GroundPlan& plan) {
   }
 }
 
-void read_discs(config::Table& root, Ids& ids, GroundPlan& plan) {
+void read_discs(config::Table& root, ItemIds& ids, GroundPlan& plan) {
   for (config::Table& table : root.tables("disc")) {
     Shape disc = read_shape(table, ids, ShapeKind::Disc);
     disc.disc.position = read_position(table);
@@ -81,7 +73,7 @@ void read_discs(config::Table& root, Ids& ids, GroundPlan& plan) {
   }
 }
 
-void read_polygons(config::Table& root, Ids& ids, GroundPlan& plan) {
+void read_polygons(config::Table& root, ItemIds& ids, GroundPlan& plan) {
   for (config::Table& table : root.tables("polygon")) {
     Shape polygon = read_shape(table, ids, ShapeKind::Polygon);
     polygon.points = read_points(table, "points", 3);
@@ -129,17 +121,44 @@ void read_mover_path(config::Table& table, MoverPlan& mover) {
   check_spacing(table, "path", mover.path, mover.loop);
 }
 
-void read_movers(config::Table& root, Ids& ids, GroundPlan& plan) {
+void read_mover_stroll(config::Table& table, MoverPlan& mover) {
+  Stroll stroll;
+  mover.yaw = Angle::from_rad(read_yaw(table)).wrapped();
+  stroll.start = read_position(table);
+  stroll.area = read_box(table, "area").value_or(Box2{});
+  mover.speed_mps = table.number("speed_mps", {0, 100, true});
+  const auto pause = table.numbers("pause_s", {0, 0}, 2, config::kNotNegative);
+  if (pause.size() == 2) {
+    stroll.pause_min_s = pause[0];
+    stroll.pause_max_s = pause[1];
+    if (pause[0] > pause[1]) {
+      table.problem("pause_s", ErrorCode::BadParameter, "pause_s has its smaller number last");
+    }
+  }
+  constexpr std::array<std::string_view, 2> kAvoids = {"nothing", "robots"};
+  stroll.avoids_robots = table.choice("avoids", kAvoids, 0) == 1;
+  mover.stroll = stroll;
+}
+
+void read_movers(config::Table& root, ItemIds& ids, GroundPlan& plan) {
   for (config::Table& table : root.tables("mover")) {
     MoverPlan mover;
     mover.id = ids.read(table, true);
     mover.label = table.text("label", "");
     mover.material = read_material(table);
     read_mover_body(table, mover);
-    if (table.has("path") == table.has("places")) {
-      table.problem(table.has("path") ? "path" : "id", ErrorCode::BadParameter,
-                    "a mover has either places = [[x, y], ...] to jump between or a path = [[x, y], ...] to follow");
-      for (const char* key : {"path", "places", "yaw_deg", "change_after_s", "speed_mps", "loop"}) table.known(key);
+    const int ways = (table.has("path") ? 1 : 0) + (table.has("places") ? 1 : 0) + (table.has("area") ? 1 : 0);
+    if (ways != 1) {
+      table.problem(
+          table.has("path") ? "path" : "id", ErrorCode::BadParameter,
+          "a mover has either places = [[x, y], ...] to jump between or a path = [[x, y], ...] to follow or an "
+          "area = [min x, min y, max x, max y] to stroll in");
+      for (const char* key : {"path", "places", "area", "yaw_deg", "change_after_s", "speed_mps", "loop", "x_m", "y_m",
+                              "pause_s", "avoids"}) {
+        table.known(key);
+      }
+    } else if (table.has("area")) {
+      read_mover_stroll(table, mover);
     } else if (table.has("path")) {
       read_mover_path(table, mover);
     } else {
@@ -149,7 +168,7 @@ void read_movers(config::Table& root, Ids& ids, GroundPlan& plan) {
   }
 }
 
-void read_spawns(config::Table& root, Ids& ids, GroundPlan& plan) {
+void read_spawns(config::Table& root, ItemIds& ids, GroundPlan& plan) {
   for (config::Table& table : root.tables("spawn")) {
     Spawn spawn;
     spawn.place = table.place();
@@ -158,17 +177,6 @@ void read_spawns(config::Table& root, Ids& ids, GroundPlan& plan) {
     spawn.pose.position = read_position(table);
     spawn.pose.yaw = Angle::from_rad(read_yaw(table)).wrapped();
     plan.spawns.push_back(std::move(spawn));
-  }
-}
-
-void read_area(config::Table& root, GroundPlan& plan) {
-  if (!root.has("area")) return;
-  const auto area = root.numbers("area", {}, 4, kCoordinate);
-  if (area.size() != 4) return;
-  if (!(area[0] < area[2] && area[1] < area[3])) {
-    root.problem("area", ErrorCode::BadParameter, "area is [min x, min y, max x, max y]: it must not be empty");
-  } else {
-    plan.area = Box2{{area[0], area[1]}, {area[2], area[3]}};
   }
 }
 
@@ -182,19 +190,21 @@ void read_map(config::Table& root, GroundPlan& plan, Problems& problems) {
   }
 }
 
-GroundPlan read_plan(const config::Value& value, Problems& problems) {
+GroundPlan read_plan(const config::Value& value, Problems& problems, config::Outline* outline) {
   GroundPlan plan;
-  config::Table root(value, "", problems);
+  config::Table root(value, "", problems, outline);
   check_format(root);
   plan.place = {value.place().file};
   plan.name = root.text("name", "");
-  Ids ids;
-  read_area(root, plan);
+  ItemIds ids;
+  plan.area = read_box(root, "area");
   read_map(root, plan, problems);
   read_walls(root, ids, plan);
   read_boxes(root, ids, plan);
   read_discs(root, ids, plan);
   read_polygons(root, ids, plan);
+  read_floor(root, ids, plan);
+  read_beacons(root, ids, plan);
   read_movers(root, ids, plan);
   read_spawns(root, ids, plan);
   return plan;
@@ -223,12 +233,13 @@ GroundPlan load_plan(const std::filesystem::path& path, std::span<const config::
   for (const config::Override& override : overrides) {
     if (auto applied = config::apply(*value, override); !applied) problems.add(applied.error());
   }
-  return read_plan(*value, problems);
+  return read_plan(*value, problems, nullptr);
 }
 
-GroundPlan parse_plan(std::string_view text, const std::string& file_name, Problems& problems) {
+GroundPlan parse_plan(std::string_view text, const std::string& file_name, Problems& problems,
+                      config::Outline* outline) {
   const auto value = config::parse(text, file_name);
-  if (value) return read_plan(*value, problems);
+  if (value) return read_plan(*value, problems, outline);
   problems.add(value.error());
   return {};
 }

@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "ganglion/base/result.h"
+#include "ganglion/config/outline.h"
 #include "ganglion/config/value.h"
 #include "ganglion/geometry/pose2.h"
+#include "ganglion/sim/world/beacon.h"
 #include "ganglion/sim/world/occupancy_map.h"
 #include "ganglion/sim/world/shape.h"
 
@@ -22,10 +24,23 @@ inline constexpr std::size_t kMaxDiscs = 20'000;
 inline constexpr std::size_t kMaxMovers = 1'000;
 inline constexpr std::size_t kMaxSpawns = 10'000;
 inline constexpr std::size_t kMaxPolygonPoints = 1'000;
+inline constexpr std::size_t kMaxFloorItems = 1'000;  ///< Zones; straight pieces of bumps.
+inline constexpr std::size_t kMaxBeacons = 100;
+inline constexpr std::size_t kMaxWord = 100;  ///< Events of one word.
 /// Nothing may be smaller, and neighbouring points may not lie closer.
 inline constexpr double kMinSize_m = 1e-4;
 
-/// A solid that changes its place while robots drive; it keeps clear of them, not of walls.
+/// Walks as people do: straight to a goal drawn from an area, a pause, the next goal. Ours.
+struct Stroll {
+  Box2 area;  ///< Of the goals.
+  Vector2 start;
+  double pause_min_s = 0;
+  double pause_max_s = 0;
+  bool avoids_robots =
+      false;  ///< Turns to another goal before it meets a robot; otherwise it goes on until it would touch.
+};
+
+/// A solid that changes its place while robots drive; it keeps clear of them, and of walls only if it strolls.
 struct MoverPlan {
   std::string id;
   std::string label;
@@ -38,9 +53,10 @@ struct MoverPlan {
   double change_max_s = 0;
   /// ...or a path it follows without turning; it waits while a robot stands in its way.
   std::vector<Vector2> path;
-  Angle yaw;  ///< While on the path.
+  Angle yaw;  ///< While on the path or strolling.
   double speed_mps = 0;
-  bool loop = false;  ///< From the last point straight to the first and on; otherwise it stops at the last.
+  bool loop = false;             ///< From the last point straight to the first and on; otherwise it stops at the last.
+  std::optional<Stroll> stroll;  ///< ...or neither: it strolls.
 };
 
 /// A named place to start from.
@@ -55,6 +71,8 @@ struct Spawn {
 struct GroundPlan {
   std::string name;
   std::vector<Shape> shapes;
+  Floor floor;
+  std::vector<Beacon> beacons;
   std::vector<MoverPlan> movers;
   std::vector<Spawn> spawns;
   std::optional<OccupancyMap> map;
@@ -65,7 +83,8 @@ struct GroundPlan {
 /// Reads `world.toml`, or a ROS map `.yaml` as a world of its own. Everything wrong with it goes into `problems`.
 GroundPlan load_plan(const std::filesystem::path& path, std::span<const config::Override> overrides,
                      Problems& problems);
-/// The same from a text; paths in it are relative to the folder of `file_name`.
-GroundPlan parse_plan(std::string_view text, const std::string& file_name, Problems& problems);
+/// The same from a text; paths in it are relative to the folder of `file_name`. `outline` takes down what was asked.
+GroundPlan parse_plan(std::string_view text, const std::string& file_name, Problems& problems,
+                      config::Outline* outline = nullptr);
 
 }  // namespace ganglion::sim

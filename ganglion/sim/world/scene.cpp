@@ -1,5 +1,6 @@
 #include "ganglion/sim/world/scene.h"
 
+#include <fmt/format.h>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -115,6 +116,45 @@ Json mover_of(const MoverPlan& plan, const MoverState& state) {
   return item;
 }
 
+std::string hex(const Colour& colour) {
+  const auto part = [](double share) { return static_cast<int>(std::lround(share * 255)); };
+  return fmt::format("#{:02x}{:02x}{:02x}", part(colour.red), part(colour.green), part(colour.blue));
+}
+
+Json zone_of(const FloorZone& zone) {
+  Json item = named(zone.id, zone.label);
+  if (zone.outline.empty()) {
+    item["x"] = rounded(zone.disc.position.x);
+    item["y"] = rounded(zone.disc.position.y);
+    item["radius"] = rounded(zone.disc.radius_m);
+  } else {
+    item["points"] = points_of(zone.outline);
+  }
+  item["colour"] = hex(zone.colour);
+  item["slip"] = zone.slip;
+  item["uphill"] = point(zone.uphill * zone.grade);
+  return item;
+}
+
+Json beacon_of(const Beacon& beacon) {
+  Json item = named(beacon.id, beacon.label);
+  item["x"] = rounded(beacon.position.x);
+  item["y"] = rounded(beacon.position.y);
+  item["light"] = rounded(beacon.light_range_m);
+  item["sound"] = rounded(beacon.sound_range_m);
+  item["colour"] = hex(beacon.colour);
+  return item;
+}
+
+/// What few worlds have is left out where there is none of it.
+void add_floor(const GroundPlan& plan, Json& scene) {
+  for (const FloorZone& zone : plan.floor.zones) scene["floor"].push_back(zone_of(zone));
+  for (const FloorBump& bump : plan.floor.bumps) {
+    scene["bumps"].push_back(Json::array({point(bump.from), point(bump.to)}));
+  }
+  for (const Beacon& beacon : plan.beacons) scene["beacons"].push_back(beacon_of(beacon));
+}
+
 }  // namespace
 
 std::string scene_json(const World& world) {
@@ -137,6 +177,7 @@ std::string scene_json(const World& world) {
     item["pose"] = pose_of(spawn.pose);
     scene["spawns"].push_back(std::move(item));
   }
+  add_floor(ground.plan(), scene);
   return scene.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

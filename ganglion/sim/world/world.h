@@ -68,10 +68,18 @@ class World {
     std::size_t place = 0;   ///< Index of its present place, or of the path point it left last.
     double walked_m = 0;     ///< Way from that path point.
     std::size_t corner = 0;  ///< Index of its first corner in corners_.
+    Vector2 goal;            ///< Of a stroll, while it walks.
+    bool walking = false;
+    double pause_s = 0;       ///< At that goal.
+    double resume_s = 0;      ///< A stroll stands until then.
+    std::uint32_t goals = 0;  ///< How often goals were drawn.
   };
   void put(std::size_t mover, const Pose2& pose) noexcept;
   void jump(std::size_t mover, std::uint32_t tick, double time_s, std::span<const Disc> robots) noexcept;
   void walk(std::size_t mover, double step_s, std::span<const Disc> robots) noexcept;
+  void stroll(std::size_t mover, double time_s, double step_s, std::span<const Disc> robots) noexcept;
+  /// Draws a goal to which nothing stands in the way; false if none was found.
+  bool choose_goal(std::size_t mover, std::span<const Disc> robots) noexcept;
   bool free_for(std::size_t mover, const Pose2& pose, std::span<const Disc> robots) const noexcept;
   bool overlaps(std::size_t mover, const Pose2& pose, std::size_t other) const noexcept;
   bool way_free(std::size_t mover, Vector2 displacement, std::span<const Disc> robots) const noexcept;

@@ -14,6 +14,7 @@ class Differential final : public Drive {
   void command(std::span<const double> values, const Pose2&, double, bool) noexcept override {
     wheels_.command(values[0], values[1]);
   }
+  void supply(double share) noexcept override { wheels_.supply(share); }
   Movement move(const Pose2& pose, double step_s) noexcept override { return wheels_.move(pose, step_s); }
   double steady_mps() const noexcept override { return wheels_.steady_mps(); }
 

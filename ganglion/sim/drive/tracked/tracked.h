@@ -16,6 +16,7 @@ class Tracked final : public Drive {
   void command(std::span<const double> values, const Pose2&, double, bool) noexcept override {
     tracks_.command(values[0], values[1]);
   }
+  void supply(double share) noexcept override { tracks_.supply(share); }
   Movement move(const Pose2& pose, double step_s) noexcept override { return tracks_.move(pose, step_s); }
   double steady_mps() const noexcept override { return tracks_.steady_mps(); }
 

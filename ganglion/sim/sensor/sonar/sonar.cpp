@@ -20,7 +20,9 @@ Sonar::Sonar(const SonarConfig& config) : config_(config) {
   for (int n = 0; n < config.rays; ++n) {
     const double share = config.rays == 1 ? 0 : static_cast<double>(n) / (config.rays - 1) - 0.5;
     rays_.push_back(direction(share * config.cone.rad()));
+    ray_reach_m_.push_back(config.fading ? config.max_range_m * math::pow(2, -2 * share * share) : kInfinity);
   }
+  cos_half_cone_ = math::cos(config.cone.rad() / 2);
   for (std::size_t i = 0; i < cos_incidence_.size(); ++i) {
     const double limit_rad = config.incidence_limit[i].rad();
     cos_incidence_[i] = limit_rad < kPi / 2 ? math::cos(limit_rad) : 0;
@@ -58,14 +60,41 @@ double Sonar::way_m(const Scene& scene, const Ray& axis, std::size_t n, double w
 double Sonar::echo_range_m(const Scene& scene) const noexcept {
   const Ray axis{scene.mount().position, scene.ahead()};
   double nearest_m = kInfinity;
-  for (std::size_t n = 0; n < rays_.size(); ++n) nearest_m = std::min(nearest_m, way_m(scene, axis, n, nearest_m));
+  for (std::size_t n = 0; n < rays_.size(); ++n) {
+    nearest_m = std::min(nearest_m, way_m(scene, axis, n, std::min(nearest_m, ray_reach_m_[n])));
+  }
   return nearest_m;
+}
+
+double Sonar::crosstalk_m(const Scene& scene, double within_m) const noexcept {
+  const Vector2 here = scene.mount().position;
+  double nearest_m = within_m;
+  for (const Ping& ping : scene.pings) {
+    if (ping.mounting == scene.mounting) continue;
+    const Vector2 from = scene.robot.pose.position + scene.turned(ping.mounting->pose.position);
+    const Vector2 axis = scene.turned(ping.mounting->ahead);
+    for (const Vector2 ray : rays_) {
+      const Vector2 along = scene.ahead() * ray.x + scene.ahead().left() * ray.y;
+      const Hit hit = cast_own(scene, ray, config_.max_range_m);
+      if (hit.range_m == kInfinity) continue;
+      const Vector2 out = here + along * hit.range_m + hit.normal * kLiftOff_m - from;
+      const double out_m = out.length();
+      const double half_m = (out_m + hit.range_m) / 2;
+      if (!(half_m < nearest_m) || out.dot(axis) < ping.cos_half_cone * out_m) continue;
+      const Vector2 unit = out * (1 / out_m);
+      const Vector2 between = unit + along;  // against the bisector of both ways
+      if (!answers(hit, between * (1 / between.length()), half_m)) continue;
+      if (!cast(scene, from, unit, out_m)) nearest_m = half_m;
+    }
+  }
+  return nearest_m < within_m ? nearest_m : kInfinity;
 }
 
 void Sonar::measure(const Scene& scene, Draws& draws, std::span<double> values) noexcept {
   const double noise_m = draws.normal() * config_.noise_m;
   const bool lost = config_.dropout > 0 && draws.uniform() < config_.dropout;
-  const double heard_m = lost ? kInfinity : echo_range_m(scene);
+  double heard_m = lost ? kInfinity : echo_range_m(scene);
+  if (config_.crosstalk && !lost) heard_m = std::min(heard_m, crosstalk_m(scene, heard_m));
   if (heard_m == kInfinity) {
     values[0] = kInfinity;
     values[1] = config_.no_echo_s;

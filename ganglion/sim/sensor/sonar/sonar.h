@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "ganglion/sim/robot/sensor.h"
+#include "ganglion/units/speed_of_sound.h"
 
 namespace ganglion::sim {
 
@@ -11,6 +12,7 @@ enum class TooClose : std::uint8_t { MinusInfinity, Minimum };
 
 struct SonarConfig {
   Angle cone = Angle::from_deg(40);  ///< Full opening angle: the -6 dB cone.
+  bool fading = false;               ///< Echoes from off the axis are weaker.
   int rays = 7;                      ///< Spread evenly over it.
   double min_range_m = 0.02;         ///< Blind zone.
   double max_range_m = 3.0;
@@ -20,6 +22,7 @@ struct SonarConfig {
   /// Largest angle between the ray and a surface's normal at which its echo still comes back, by material.
   std::array<Angle, 3> incidence_limit = {Angle::from_deg(90), Angle::from_deg(22.5), Angle::from_deg(45)};
   double soft_range = 0.5;           ///< Soft surfaces answer up to this share of max_range_m.
+  bool crosstalk = false;            ///< Hears the robot's other sonars that fire in the same slot.
   int mirror_bounces = 1;            ///< How often a ray without echo goes on along its mirror direction.
   double air_C = 20;                 ///< True temperature of the air, which the echo's time depends on.
   double assumed_C = 20;             ///< What the device takes it for when it gives a range.
@@ -27,9 +30,6 @@ struct SonarConfig {
   double too_close_echo_s = 115e-6;  ///< The echo time given within the blind zone.
   TooClose too_close = TooClose::MinusInfinity;
 };
-
-/// Speed of sound in dry air [m/s] at a temperature in deg C: 331.3 + 0.606 T.
-constexpr double speed_of_sound_mps(double air_C) noexcept { return 331.3 + 0.606 * air_C; }
 
 /// An ultrasonic ranger. The nearest of several rays over its cone that meets a surface within the incidence limit of
 /// the surface's material gives the echo; a ray that does not goes on along its mirror direction, and what answers
@@ -39,19 +39,25 @@ constexpr double speed_of_sound_mps(double air_C) noexcept { return 331.3 + 0.60
 /// dead. Channel `echo_time` [s]  there and back; no_echo_s without echo, too_close_echo_s in the blind zone, 0 when
 /// dead (the
 ///                          device gave no pulse).
-/// Defaults are the Parallax PING's: 40 deg, 0.02..3.0 m, a pulse of 115 us at least, 3.29 m when nothing answers. An
-/// SRF02: cone_deg 50, 0.16..6.0 m, resolution 0.01 m, period 0.07 s; a Polaroid: cone_deg 30.
-/// Source    Kuc and Siegel, "Physically based simulation model for acoustic sensor robot navigation" (1987), for
-/// mirror
+/// Devices: the Parallax PING, 40 deg, 0.02..3.0 m, a pulse of 115 us at least, 3.29 m when nothing answers; the
+/// Devantech SRF02, 50 deg, 0.16..6.0 m in whole centimetres (give it a period of 0.07 s); the Polaroid 6500, 30 deg,
+/// 0.41..10.7 m. Fading: seen off the axis by a of a half cone c the echo's amplitude is 2^-(a/c)^2, half (-6 dB) at
+/// the rim; as echoes weaken with the square of the range, what is heard up to max_range_m on the axis is heard up to
+/// max_range_m 2^-(a/c)^2/2 there, 0.71 of it at the rim (ours). Source    Kuc and Siegel, "Physically based simulation
+/// model for acoustic sensor robot navigation" (1987), for mirror
 ///           reflection; the limit of 22.5 deg on a smooth wall is a measured one. Limits of the other materials are
 ///           ours.
-/// Differs   Cross-talk between sensors is not modelled: fire them in turn with phase_s.
+/// Crosstalk, where it is asked for: another sonar of the robot that fires at the same moment sends its ping to a
+/// surface within its cone and in its sight, and what this one hears of that, half the way from there over the surface
+/// to here, is taken for an echo if it is the nearest (ours). Sonars of other robots are not heard. Fire them in turn
+/// with phase_s.
 class Sonar final : public Sensor {
  public:
   explicit Sonar(const SonarConfig& config);
   Limits limits(std::size_t channel) const noexcept override;
   double reach_m() const noexcept override { return config_.max_range_m; }
   std::span<const Vector2> rays() const noexcept override { return rays_; }
+  std::optional<double> ping_cos_half_cone() const noexcept override { return cos_half_cone_; }
   void measure(const Scene& scene, Draws& draws, std::span<double> values) noexcept override;
   void broken(std::span<double> values) const noexcept override;
 
@@ -62,10 +68,14 @@ class Sonar final : public Sensor {
   /// Length of the way to where ray n is answered, +inf where that is not less than within_m. `axis` is the sonar's
   /// own.
   double way_m(const Scene& scene, const Ray& axis, std::size_t n, double within_m) const noexcept;
+  /// Half the nearest way of another's ping over a surface to here, if it is less than within_m; else +inf.
+  double crosstalk_m(const Scene& scene, double within_m) const noexcept;
   bool answers(const Hit& hit, Vector2 unit_direction, double way_m) const noexcept;
 
   SonarConfig config_;
-  std::vector<Vector2> rays_;              // unit directions in the sensor's frame
+  std::vector<Vector2> rays_;        // unit directions in the sensor's frame
+  std::vector<double> ray_reach_m_;  // +inf where echoes do not fade
+  double cos_half_cone_ = 1;
   std::array<double, 3> cos_incidence_{};  // of the limits, by material
 };
 

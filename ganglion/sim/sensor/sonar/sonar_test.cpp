@@ -140,6 +140,56 @@ TEST(Sonar, GivesNoPulseOnceBroken) {
   EXPECT_EQ(values[1], 0);
 }
 
+TEST(Sonar, HearsTheRimOfItsConeFromNearerWhereEchoesFade) {
+  // At the rim, 20 deg off, half the amplitude: heard up to 3 / sqrt 2 = 2.121 m; on the axis up to 3 m.
+  const auto disc_at = [](double range_m, double off_deg) {
+    const Vector2 centre = direction(Angle::from_deg(off_deg).rad()) * (range_m + 0.05);
+    return fmt::format("format = 1\nname = \"w\"\n[[disc]]\nx_m = {}\ny_m = {}\nradius_m = 0.05\n", centre.x, centre.y);
+  };
+  const auto fading = made(sonar_kind, {{"noise_m", 0}, {"resolution_m", 0}, {"fading", 1}});
+  const auto even = made(sonar_kind, {{"noise_m", 0}, {"resolution_m", 0}});
+  Stage near(disc_at(2.11, 20)), far(disc_at(2.13, 20)), ahead(disc_at(2.99, 0));
+  EXPECT_NEAR(read(*fading, near.at({}))[0], 2.11, 1e-9);
+  EXPECT_EQ(read(*fading, far.at({}))[0], kInfinity);
+  EXPECT_NEAR(read(*even, far.at({}))[0], 2.13, 1e-9);
+  EXPECT_NEAR(read(*fading, ahead.at({}))[0], 2.99, 1e-9);
+}
+
+TEST(Sonar, TakesTheDefaultsOfItsDeviceButWhatIsGiven) {
+  Stage stage(wall_at_1m("rough", 0));
+  const auto srf02 = made(sonar_kind, {{"device", 1}, {"noise_m", 0}, {"rays", 1}});
+  EXPECT_EQ(srf02->limits(0).min, 0.16);
+  EXPECT_EQ(srf02->limits(0).max, 6);
+  EXPECT_NEAR(read(*srf02, stage.at({{-2.234, 0}, {}}))[0], 3.23, 1e-9);  // whole centimetres
+  EXPECT_EQ(read(*srf02, stage.at({{0.85, 0}, {}}))[0], 0.16);            // 0.15 m: its shortest
+  const auto polaroid = made(sonar_kind, {{"device", 2}});
+  EXPECT_EQ(polaroid->limits(0).max, 10.7);
+  EXPECT_EQ(read(*polaroid, stage.at({{0.6, 0}, {}}))[0], -kInfinity);  // rings
+  const auto changed = made(sonar_kind, {{"device", 1}, {"max_range_m", 3}, {"too_close", 0}});
+  EXPECT_EQ(changed->limits(0).max, 3);
+  EXPECT_EQ(changed->limits(0).min, 0.16);
+  EXPECT_EQ(read(*changed, stage.at({{0.85, 0}, {}}))[0], -kInfinity);
+}
+
+TEST(Sonar, HearsThePingOfAnotherWhereItMay) {
+  // Another sonar sits 0.5 m ahead, 0.5 m from the wall: 0.5 m there and 1 m back are taken for 0.75 m.
+  Stage stage(wall_at_1m("rough", 0));
+  const Mounting own{}, ahead{{{0.5, 0}, {}}}, turned{{{0.5, 0}, Angle::from_deg(90)}, {0, 1}};
+  const auto heard = [&](Sensor& sonar, const Mounting& other) {
+    const std::array pings = {Ping{&own, 0.94}, Ping{&other, 0.94}};
+    Scene scene = stage.at({});
+    scene.mounting = &own;
+    scene.pings = pings;
+    return read(sonar, scene)[0];
+  };
+  const auto hears = made(sonar_kind, {{"noise_m", 0}, {"resolution_m", 0}, {"rays", 1}, {"crosstalk", 1}});
+  const auto deaf = made(sonar_kind, {{"noise_m", 0}, {"resolution_m", 0}, {"rays", 1}});
+  EXPECT_NEAR(heard(*hears, ahead), 0.75, 1e-5);
+  EXPECT_NEAR(heard(*hears, own), 1, 1e-9);     // its own is no other's
+  EXPECT_NEAR(heard(*hears, turned), 1, 1e-9);  // pings along the wall
+  EXPECT_NEAR(heard(*deaf, ahead), 1, 1e-9);
+}
+
 TEST(Sonar, RefusesAReachWithinItsBlindZone) {
   Parameters parameters(sonar_kind.descriptor.parameters);
   parameters.set("min_range_m", 3.5);

@@ -1,0 +1,85 @@
+#include "results_reader.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "ganglion/base/file.h"
+#include "ganglion/record/catalogue.h"
+
+namespace ganglion {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMaxRuns = 1'000'000;  // as many as run --seeds carries out
+
+tl::unexpected<Error> not_results(const std::string& file, const std::string& why) {
+  return fail_at({file}, ErrorCode::BadType, "{}; the file shall be what ganglion run --json prints", why);
+}
+
+Result<report::BatchRun> run_of(const Json& run, std::size_t index, const std::string& file) {
+  const auto success = run.find("success"), measures = run.find("measures");
+  if (!run.is_object() || success == run.end() || !success->is_boolean() || measures == run.end() ||
+      !measures->is_object()) {
+    return not_results(file, fmt::format("runs[{}] has no \"success\" and \"measures\"", index));
+  }
+  report::BatchRun read{.success = success->get<bool>(), .measures = {}};
+  for (const auto& [name, value] : measures->items()) {
+    if (!value.is_number() && !value.is_null())
+      return not_results(file, fmt::format("runs[{}].measures.{} is no number", index, name));
+    read.measures.emplace_back(name, value.is_null() ? std::nan("") : value.get<double>());
+  }
+  return read;
+}
+
+Result<std::vector<report::BatchRun>> runs_of_json(const std::string& file) {
+  const auto text = read_file(file);
+  if (!text) return tl::unexpected<Error>(text.error());
+  const Json all = Json::parse(*text, nullptr, false);
+  if (all.is_discarded()) return fail_at({file}, ErrorCode::Syntax, "no JSON; write it with ganglion run --json");
+  const auto runs = all.is_object() ? all.find("runs") : all.end();
+  if (runs == all.end() || !runs->is_array()) return not_results(file, "there is no list \"runs\"");
+  std::vector<report::BatchRun> read;
+  for (const Json& run : *runs) {
+    auto one = run_of(run, read.size(), file);
+    if (!one) return tl::unexpected<Error>(one.error());
+    read.push_back(std::move(*one));
+  }
+  return read;
+}
+
+Result<std::vector<report::BatchRun>> runs_of_folder(const std::string& folder) {
+  auto catalogue = RunCatalogue::open(folder);
+  if (!catalogue) return tl::unexpected<Error>(catalogue.error());
+  if (const auto rebuilt = catalogue->rebuild(); !rebuilt) return tl::unexpected<Error>(rebuilt.error());
+  RunFilter filter;
+  filter.sort_by = "seed";
+  filter.descending = false;
+  filter.limit = kMaxRuns;
+  const auto runs = catalogue->list(filter);
+  if (!runs) return tl::unexpected<Error>(runs.error());
+  std::vector<report::BatchRun> read;
+  for (const RunSummary& run : *runs) read.push_back({run.finished && run.success, run.measures});
+  return read;
+}
+
+}  // namespace
+
+Result<report::NamedBatch> read_batch(const std::string& argument) {
+  const auto equals = argument.find('=');
+  const bool named = equals != std::string::npos && !fs::exists(argument);
+  const std::string path = named ? argument.substr(equals + 1) : argument;
+  if (!fs::exists(path)) {
+    return fail_at({path}, ErrorCode::NotFound,
+                   "there is no such file or folder; name what run --json printed, or a folder of run files");
+  }
+  auto runs = fs::is_directory(path) ? runs_of_folder(path) : runs_of_json(path);
+  if (!runs) return tl::unexpected<Error>(runs.error());
+  if (runs->empty()) return fail_at({path}, ErrorCode::NotFound, "there are no runs to compare");
+  const fs::path normal = fs::absolute(path).lexically_normal();
+  const std::string last = normal.has_filename() ? normal.stem().string() : normal.parent_path().filename().string();
+  return report::NamedBatch{named ? argument.substr(0, equals) : last, std::move(*runs)};
+}
+
+}  // namespace ganglion

@@ -1,0 +1,101 @@
+#include "ganglion/sim/sensor/cmps03/cmps03.h"
+
+#include <array>
+#include <cmath>
+
+#include "ganglion/math/functions.h"
+
+namespace ganglion::sim {
+namespace {
+
+constexpr double kSteps = 3600;  // of a full turn
+
+constexpr std::array kPorts = {
+    PortDescriptor{.name = "heading",
+                   .role = PortRole::Output,
+                   .unit = "rad",
+                   .type = ValueType::Circular,
+                   .help = {"Yaw in the world, counter-clockwise from x", "Rumbo en el mundo, antihorario desde x"}},
+    PortDescriptor{.name = "bearing",
+                   .role = PortRole::Output,
+                   .type = ValueType::Discrete,
+                   .help = {"Tenths of a degree clockwise from north, 0 to 3599",
+                            "Décimas de grado en sentido horario desde el norte, 0 a 3599"}},
+};
+
+constexpr std::array kParameters = {
+    ParameterDescriptor{.name = "accuracy_deg",
+                        .unit = "deg",
+                        .preset = 3.5,
+                        .min = 0,
+                        .max = 180,
+                        .help = {"Largest bias of a place", "Mayor sesgo de un lugar"}},
+    ParameterDescriptor{
+        .name = "local_length_m",
+        .unit = "m",
+        .preset = 5,
+        .min = 0.01,
+        .max = 10000,
+        .help = {"Way over which the bias goes through one period", "Distancia en que el sesgo recorre un período"},
+        .ours = true},
+    ParameterDescriptor{.name = "noise_deg",
+                        .unit = "deg",
+                        .preset = 0.1,
+                        .min = 0,
+                        .max = 180,
+                        .help = {"Standard deviation of one reading", "Desviación típica de una lectura"},
+                        .ours = true},
+    ParameterDescriptor{.name = "north_deg",
+                        .unit = "deg",
+                        .preset = 90,
+                        .min = -360,
+                        .max = 360,
+                        .help = {"Direction of magnetic north in the world, counter-clockwise from x",
+                                 "Dirección del norte magnético en el mundo, antihorario desde x"},
+                        .ours = true},
+};
+
+Result<std::unique_ptr<Sensor>> make(const Parameters& parameters) {
+  const auto degrees = [&](std::string_view name) { return Angle::from_deg(parameters.real(name)); };
+  return std::make_unique<Cmps03>(Cmps03Config{.accuracy_rad = degrees("accuracy_deg").rad(),
+                                               .local_length_m = parameters.real("local_length_m"),
+                                               .noise_rad = degrees("noise_deg").rad(),
+                                               .north = degrees("north_deg")});
+}
+
+}  // namespace
+
+Result<void> Cmps03::reset(const Scene&, Draws draws) {
+  phase_x_rad_ = draws.uniform(0, 2 * kPi);
+  phase_y_rad_ = draws.uniform(0, 2 * kPi);
+  return {};
+}
+
+double Cmps03::bias_rad(Vector2 place) const noexcept {
+  const double wave_radpm = 2 * kPi / config_.local_length_m;
+  return config_.accuracy_rad / 2 *
+         (math::sin(wave_radpm * place.x + phase_x_rad_) + math::sin(wave_radpm * place.y + phase_y_rad_));
+}
+
+void Cmps03::measure(const Scene& scene, Draws& draws, std::span<double> values) noexcept {
+  const double yaw_rad =
+      scene.mount().yaw.rad() + bias_rad(scene.mount().position) + draws.normal() * config_.noise_rad;
+  const double turns = wrap_rad(config_.north.rad() - yaw_rad) / (2 * kPi);
+  double steps = std::floor(turns * kSteps + 0.5);
+  if (steps < 0) steps += kSteps;
+  if (steps >= kSteps) steps -= kSteps;
+  values[0] = wrap_rad(config_.north.rad() - steps / kSteps * 2 * kPi);
+  values[1] = steps;
+}
+
+extern constinit const SensorKind cmps03_kind{
+    .descriptor = {.component_class = ComponentClass::Sensor,
+                   .name = "Cmps03",
+                   .summary = {"Digital compass with a bias that varies with the place, Devantech CMPS03",
+                               "Brújula digital con un sesgo que varía con el lugar, Devantech CMPS03"},
+                   .ports = kPorts,
+                   .parameters = kParameters,
+                   .source = "Devantech CMPS03 documentation; form of the bias ours"},
+    .make = make};
+
+}  // namespace ganglion::sim
