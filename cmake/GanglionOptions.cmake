@@ -17,7 +17,9 @@ add_library(ganglion_options INTERFACE)
 target_compile_options(ganglion_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual -Wconversion
   -Wno-sign-conversion -Wno-missing-field-initializers
-  -ffp-contract=off)  # the same bits with and without fused multiply-add
+  -ffp-contract=off  # the same bits with and without fused multiply-add
+  # g++ 12 makes a rotation, a*x - b*y beside b*x + a*y, into one fused instruction whatever the option above says.
+  $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
 if(GANGLION_SANITIZE)
   add_compile_options(-fsanitize=${GANGLION_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
   add_link_options(-fsanitize=${GANGLION_SANITIZE})

@@ -22,5 +22,6 @@ void add_replay(CLI::App& program, int& code);
 void add_plot(CLI::App& program, int& code);
 void add_runs(CLI::App& program, int& code);
 void add_experience(CLI::App& program, int& code);
+void add_schema(CLI::App& program, int& code);
 
 }  // namespace ganglion

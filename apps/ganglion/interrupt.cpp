@@ -16,6 +16,8 @@ void catch_interrupts() {
   std::signal(SIGTERM, note);
 }
 
+void report_full_files() { std::signal(SIGXFSZ, SIG_IGN); }
+
 bool interrupted() noexcept { return caught != 0; }
 
 }  // namespace ganglion

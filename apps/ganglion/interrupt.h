@@ -6,4 +6,7 @@ namespace ganglion {
 void catch_interrupts();
 bool interrupted() noexcept;
 
+/// Where a limit on the size of files is reached, writing fails with a message instead of ending the program.
+void report_full_files();
+
 }  // namespace ganglion

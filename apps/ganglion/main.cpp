@@ -1,7 +1,9 @@
 #include "commands.h"
 #include "ganglion/run/version.h"
+#include "interrupt.h"
 
 int main(int argc, char** argv) {
+  ganglion::report_full_files();
   CLI::App program{"Ganglion: design, grow, run and measure controllers for small mobile robots", "ganglion"};
   program.set_version_flag("--version", std::string(ganglion::kVersion));
   program.require_subcommand(1);
@@ -21,6 +23,7 @@ int main(int argc, char** argv) {
   ganglion::add_plot(program, code);
   ganglion::add_runs(program, code);
   ganglion::add_experience(program, code);
+  ganglion::add_schema(program, code);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

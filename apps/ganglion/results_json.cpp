@@ -28,16 +28,29 @@ std::size_t succeeded(const std::vector<RunResult>& results) {
       std::count_if(results.begin(), results.end(), [](const RunResult& result) { return result.success; }));
 }
 
+Json quartiles_json(const std::vector<Quartiles>& quartiles) {
+  Json measures = Json::object();
+  for (const Quartiles& one : quartiles) {
+    measures[one.name] = {{"lower", number(one.lower)}, {"median", number(one.median)}, {"upper", number(one.upper)}};
+  }
+  return measures;
+}
+
+/// Share of successes against the first row's; NaN where the healthy robot never succeeds.
+double share_of_healthy(const FaultRow& row, const FaultRow& healthy) {
+  const auto share = [](const FaultRow& one) {
+    return static_cast<double>(one.succeeded) / static_cast<double>(std::max<std::size_t>(one.runs, 1));
+  };
+  return healthy.succeeded > 0 ? share(row) / share(healthy) : std::numeric_limits<double>::quiet_NaN();
+}
+
 }  // namespace
 
 std::string results_json(const std::vector<RunResult>& results) {
   Json runs = Json::array();
   for (const RunResult& result : results) runs.push_back(run_json(result));
-  Json measures = Json::object();
-  for (const Quartiles& one : quartiles(results)) {
-    measures[one.name] = {{"lower", number(one.lower)}, {"median", number(one.median)}, {"upper", number(one.upper)}};
-  }
-  const Json summary = {{"count", results.size()}, {"succeeded", succeeded(results)}, {"quartiles", measures}};
+  const Json summary = {
+      {"count", results.size()}, {"succeeded", succeeded(results)}, {"quartiles", quartiles_json(quartiles(results))}};
   return Json{{"runs", runs}, {"summary", summary}}.dump(2) + "\n";
 }
 
@@ -52,6 +65,37 @@ std::string results_table(const std::vector<RunResult>& results) {
                       "lower", "median", "upper");
   for (const Quartiles& one : quartiles(results)) {
     text += fmt::format("{:<26}{:>12.4g}{:>12.4g}{:>12.4g}\n", one.name, one.lower, one.median, one.upper);
+  }
+  return text;
+}
+
+std::string faults_json(const std::vector<FaultRow>& rows) {
+  Json list = Json::array();
+  for (const FaultRow& row : rows) {
+    Json met = Json::object();
+    for (const auto& [criterion, runs] : row.met) met[criterion] = runs;
+    list.push_back({{"name", row.name},
+                    {"count", row.runs},
+                    {"succeeded", row.succeeded},
+                    {"share_of_healthy", number(share_of_healthy(row, rows.front()))},
+                    {"met", met},
+                    {"quartiles", quartiles_json(row.quartiles)}});
+  }
+  return Json{{"faults", list}}.dump(2) + "\n";
+}
+
+std::string faults_table(const std::vector<FaultRow>& rows) {
+  if (rows.empty()) return "interrupted before the first case was done\n";
+  std::size_t width = 8;
+  for (const FaultRow& row : rows) width = std::max(width, row.name.size() + 2);
+  std::string text = fmt::format("{:<{}}{:>6}{:>11}{:>16}", "fault", width, "runs", "succeeded", "of the healthy");
+  for (const auto& [criterion, runs] : rows.front().met) text += "  " + criterion;
+  text += '\n';
+  for (const FaultRow& row : rows) {
+    text += fmt::format("{:<{}}{:>6}{:>11}{:>14.0f} %", row.name, width, row.runs, row.succeeded,
+                        100 * share_of_healthy(row, rows.front()));
+    for (const auto& [criterion, runs] : row.met) text += fmt::format("{:>{}}", runs, criterion.size() + 2);
+    text += '\n';
   }
   return text;
 }

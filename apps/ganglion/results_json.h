@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "ganglion/run/run.h"
+#include "ganglion/run/fault_matrix.h"
 
 namespace ganglion {
 
@@ -12,5 +12,11 @@ std::string results_json(const std::vector<RunResult>& results);
 
 /// One row a run and a summary, for people.
 std::string results_table(const std::vector<RunResult>& results);
+
+/// `run --faults --json`: one object, `faults` with a row each: name, count, succeeded, share_of_healthy, quartiles.
+std::string faults_json(const std::vector<FaultRow>& rows);
+
+/// The same for people.
+std::string faults_table(const std::vector<FaultRow>& rows);
 
 }  // namespace ganglion

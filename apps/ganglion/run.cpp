@@ -10,6 +10,7 @@
 #include "ganglion/record/run_file.h"
 #include "ganglion/report/report.h"
 #include "ganglion/run/batch.h"
+#include "ganglion/run/fault_matrix.h"
 #include "ganglion/run/recording.h"
 #include "interrupt.h"
 #include "results_json.h"
@@ -26,6 +27,7 @@ struct RunArguments {
   std::uint64_t seed = 0;
   bool has_seed = false;
   std::string seeds;
+  std::string faults;
   std::string pace = "max";
   std::string out;
   std::string experience;
@@ -56,6 +58,8 @@ Result<double> pace_of(const std::string& text) {
   if (factor && *factor > 0 && std::isfinite(*factor)) return *factor;
   return fail(ErrorCode::BadParameter, "--pace {}: write max, or a multiple of real time such as 1x or 0.5x", text);
 }
+
+constexpr std::uint64_t kFaultSeeds = 20;  // of --faults without --seeds
 
 struct SeedRange {
   std::uint64_t first, last;
@@ -119,7 +123,8 @@ void catalogue(const fs::path& folder, const std::vector<RunResult>& results, co
 
 int print(const RunArguments& arguments, const std::vector<RunResult>& results) {
   const std::string text = arguments.json ? results_json(results) : results_table(results);
-  return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() ? kDone : kOutputFailed;
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+  return written ? kDone : kOutputFailed;
 }
 
 int run_many(const Prepared& prepared, const RunArguments& arguments, const SeedRange& seeds,
@@ -136,20 +141,47 @@ int run_many(const Prepared& prepared, const RunArguments& arguments, const Seed
   options.progress = [&](std::size_t done, std::size_t all) {
     line.show(static_cast<double>(done) / static_cast<double>(all),
               fmt::format("{} of {} runs, {:.1f} runs/s", done, all, static_cast<double>(done) / (wall_s() - start_s)));
-    return !interrupted();
+    return true;
   };
+  options.stop = interrupted;
   const auto results = run_batch(prepared, options);
   if (!results) return complain(results.error());
+  int code = kDone;
+  for (const RunResult& result : *results) {
+    if (!result.record_error) continue;
+    complain(*result.record_error);
+    code = kOutputFailed;
+  }
   if (!arguments.no_record) catalogue(folder, *results, prepared);
-  return print(arguments, *results);
+  return std::max(code, print(arguments, *results));
 }
 
-/// The report of a run, beside its file.
-void report(const RunArguments& arguments, RunResult& result) {
+/// Every fault, one after the other, each over all seeds.
+int run_faults(const Prepared& prepared, const RunArguments& arguments, const SeedRange& seeds,
+               std::vector<ModuleExperience> experience) {
+  BatchOptions options;
+  options.first_seed = seeds.first;
+  options.last_seed = seeds.last;
+  options.threads = arguments.threads;
+  options.experience = std::move(experience);
+  ProgressLine line(!arguments.json);
+  options.progress = [&](std::size_t done, std::size_t all) {
+    line.show(static_cast<double>(done) / static_cast<double>(all), fmt::format("{} of {} runs", done, all));
+    return !interrupted();
+  };
+  options.stop = interrupted;
+  const auto rows = run_fault_matrix(prepared, options, arguments.faults == "pairs");
+  if (!rows) return complain(rows.error());
+  const std::string text = arguments.json ? faults_json(*rows) : faults_table(*rows);
+  return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() ? kDone : kOutputFailed;
+}
+
+/// The report of a run, beside its file. Returns an exit code.
+int report(const RunArguments& arguments, RunResult& result) {
   const auto file = RunFile::read(result.files.front());
   if (!file) {
     complain(file.error());
-    return;
+    return kOutputFailed;  // it was written a moment ago
   }
   fs::path page = result.files.front();
   page.replace_extension(".html");
@@ -157,10 +189,29 @@ void report(const RunArguments& arguments, RunResult& result) {
   if (auto written = report::write_report(
           view, page, {arguments.language == "es" ? plot::Language::Spanish : plot::Language::English});
       !written) {
-    complain(written.error());
-    return;
+    return complain(written.error());
   }
   result.files.push_back(page.string());
+  return kDone;
+}
+
+/// What a run leaves on the disk besides its file. Returns an exit code.
+int keep(const Prepared& prepared, const RunArguments& arguments, RunResult& result, ExperienceWriter* keeper) {
+  int code = kDone;
+  if (result.record_error) {
+    complain(*result.record_error);
+    code = kOutputFailed;
+  }
+  if (keeper != nullptr) {
+    if (auto kept = keeper->flush(); !kept) {
+      complain(kept.error());
+      code = kOutputFailed;
+    }
+  }
+  if (arguments.no_record || code != kDone) return code;
+  if (!arguments.no_report) code = report(arguments, result);
+  catalogue(output_folder(arguments), {result}, prepared);
+  return code;
 }
 
 int run_one(const Prepared& prepared, const RunArguments& arguments, double pace,
@@ -181,21 +232,17 @@ int run_one(const Prepared& prepared, const RunArguments& arguments, double pace
   const double start_s = wall_s();
   options.progress = [&](double share) {
     line.show(share, fmt::format("{:.0f}x real time", share * prepared.experiment.duration_s / (wall_s() - start_s)));
-    return !interrupted();
+    return true;
   };
+  options.stop = interrupted;
   auto result = run(prepared, options);
   if (!result) return complain(result.error());
-  if (keeper) {
-    if (auto kept = keeper->flush(); !kept) complain(kept.error());
-  }
-  if (!arguments.no_record) {
-    if (!arguments.no_report) report(arguments, *result);
-    catalogue(output_folder(arguments), {*result}, prepared);
-  }
+  const int written = keep(prepared, arguments, *result, keeper.get());
   if (print(arguments, {*result}) != kDone) return kOutputFailed;
   if (!arguments.json) {
     for (const std::string& file : result->files) fmt::print("wrote {}\n", file);
   }
+  if (written != kDone) return written;
   return result->success ? kDone : kRobotFailed;
 }
 
@@ -218,6 +265,9 @@ int run_command(const RunArguments& arguments) {
   auto experience = load_experience(arguments.experience);
   if (!experience) return complain(experience.error());
   catch_interrupts();
+  if (!arguments.faults.empty()) {
+    return run_faults(*prepared, arguments, seeds.value_or(SeedRange{1, kFaultSeeds}), std::move(*experience));
+  }
   if (seeds) return run_many(*prepared, arguments, *seeds, std::move(*experience));
   return run_one(*prepared, arguments, *pace, std::move(*experience));
 }
@@ -232,6 +282,11 @@ void add_run(CLI::App& program, int& code) {
       ->allow_extra_args(false);
   auto* seed = command->add_option("--seed", arguments->seed, "Seed of the run; default: the experiment's");
   command->add_option("--seeds", arguments->seeds, "A..B: every seed of the range, in parallel")->excludes(seed);
+  command
+      ->add_option("--faults", arguments->faults,
+                   "matrix: every single fault over the seeds (default 1..20), as a table; pairs: every two as well")
+      ->check(CLI::IsMember({"matrix", "pairs"}))
+      ->excludes(seed);
   command->add_option("--threads", arguments->threads, "Threads for --seeds; default: one for each processor")
       ->check(CLI::Range(1, 256));
   command->add_option("--pace", arguments->pace, "max, or a multiple of real time: 1x, 0.5x, 20x");
@@ -246,6 +301,7 @@ void add_run(CLI::App& program, int& code) {
       "  ganglion run experiments/nimrod --seed 7 --pace 1x\n"
       "  ganglion run experiments/nimrod --set controller=experiments/nimrod/controller.listing.toml\n"
       "  ganglion run experiments/nimrod --set controller.acting.escape.trigger_range_m=0.15 --seeds 1..20\n"
+      "  ganglion run experiments/nimrod --faults matrix --seeds 1..100\n"
       "Exit codes: 0 the robot succeeded (with --seeds: all runs were carried out), 1 it failed, 2 bad input.");
   command->callback([arguments, seed, &code] {
     arguments->has_seed = seed->count() > 0;

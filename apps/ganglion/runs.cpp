@@ -5,7 +5,10 @@
 #include "ganglion/base/file.h"
 #include "ganglion/base/text.h"
 #include "ganglion/record/catalogue.h"
+#include "ganglion/record/compare_components.h"
 #include "ganglion/record/csv.h"
+#include "ganglion/record/recover.h"
+#include "ganglion/record/run_file.h"
 #include "results_reader.h"
 #include "say.h"
 
@@ -115,6 +118,37 @@ int verify(const Arguments& arguments) {
   return worst;
 }
 
+int recover(const Arguments& arguments) {
+  const auto saved = recover_run(arguments.file, arguments.out);
+  if (!saved) return complain(saved.error());
+  for (const std::string& damage : saved->damages) fmt::print("damaged: {}\n", damage);
+  fmt::print("saved {} chunks, {} messages, {:.1f} s of the run{}\nwrote {}\n", saved->chunks, saved->messages,
+             saved->until_s, saved->finished ? ", its outcome" : "; its outcome is lost", arguments.out);
+  return kDone;
+}
+
+/// Whether what two runs have in common went the same way in both.
+int digests(const Arguments& arguments) {
+  std::vector<RunOutcome> outcomes;
+  for (const std::string& file : arguments.files) {
+    auto run = RunFile::read_summary(file);
+    if (!run) return complain(run.error());
+    if (!run->outcome) return complain(Error{ErrorCode::Corrupt, "was cut before its outcome", {file}});
+    outcomes.push_back(std::move(*run->outcome));
+  }
+  const DigestComparison found = compare_components(outcomes[0], outcomes[1]);
+  const auto say = [](std::string_view what, const std::vector<std::string>& names) {
+    for (const std::string& name : names) fmt::print("{} {}\n", what, name);
+  };
+  say("same     ", found.same);
+  say("differs  ", found.different);
+  say("only in 1", found.only_first);
+  say("only in 2", found.only_second);
+  fmt::print("{} the same, {} different, {} in one run only\n", found.same.size(), found.different.size(),
+             found.only_first.size() + found.only_second.size());
+  return found.different.empty() ? kDone : kRobotFailed;
+}
+
 /// The page, and what it says first: how many runs of each batch succeeded.
 int compare(const Arguments& arguments) {
   Problems problems;
@@ -162,7 +196,7 @@ void add_compare(CLI::App& command, const std::shared_ptr<Arguments>& arguments,
 
 void add_runs(CLI::App& program, int& code) {
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = program.add_subcommand("runs", "Recorded runs: list, show, export, verify, compare");
+  CLI::App* command = program.add_subcommand("runs", "Recorded runs: list, show, export, verify, recover, compare");
   command->require_subcommand(1);
   CLI::App* listed = command->add_subcommand("list", "List the runs below a folder");
   CLI::App* exported = command->add_subcommand("csv", "The same as a table, every measure a column");
@@ -181,6 +215,14 @@ void add_runs(CLI::App& program, int& code) {
   signal->add_option("file", arguments->file, "Run file (.mcap)")->required();
   signal->add_option("--out", arguments->out, "Folder to write to")->required();
   signal->callback([arguments, &code] { code = signals(*arguments); });
+  CLI::App* recovered = command->add_subcommand("recover", "Make a whole run file of what is left of a cut one");
+  recovered->add_option("file", arguments->file, "Run file (.mcap), which is only read")->required();
+  recovered->add_option("--out", arguments->out, "File to write")->required();
+  recovered->callback([arguments, &code] { code = recover(*arguments); });
+  CLI::App* digested =
+      command->add_subcommand("digests", "Which components of two runs had the same signals, to the bit");
+  digested->add_option("files", arguments->files, "Two run files (.mcap)")->required()->expected(2);
+  digested->callback([arguments, &code] { code = digests(*arguments); });
   CLI::App* verified = command->add_subcommand("verify", "Check every checksum of run files");
   verified->add_option("files", arguments->files, "Run files (.mcap)")->required();
   verified->callback([arguments, &code] { code = verify(*arguments); });

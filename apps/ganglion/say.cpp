@@ -18,7 +18,7 @@ int complain(const Problems& problems) {
 
 int complain(const Error& error) {
   std::fprintf(stderr, "%s\n", error.text().c_str());
-  return kBadInput;
+  return error.code == ErrorCode::Unwritable ? kOutputFailed : kBadInput;
 }
 
 double wall_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,9 @@ struct SensationChannel {
   std::vector<std::string> elements;  ///< Names of its values where there are several; empty = one value.
   double min = 0;                     ///< Finite readings lie within [min, max].
   double max = 0;
-  double period_s = 0;  ///< Time between fresh readings; 0 = fresh in every frame.
-  Pose2 mount{};        ///< On the body.
+  double period_s = 0;                                     ///< Time between fresh readings; 0 = fresh in every frame.
+  Pose2 mount{};                                           ///< On the body.
+  double dead = std::numeric_limits<double>::quiet_NaN();  ///< What it reads once the device is broken.
   int size() const noexcept { return elements.empty() ? 1 : static_cast<int>(elements.size()); }
 };
 

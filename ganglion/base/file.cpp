@@ -42,7 +42,7 @@ Result<void> write_file(const fs::path& path, std::string_view content) {
   }
   const std::string why = error ? error.message() : "disk full, or no permission";
   fs::remove(part, error);
-  return fail_at({path.string()}, ErrorCode::Unreadable, "cannot be written: {}", why);
+  return fail_at({path.string()}, ErrorCode::Unwritable, "cannot be written: {}", why);
 }
 
 }  // namespace ganglion

@@ -16,7 +16,7 @@ inline constexpr std::size_t kMaxFileBytes = std::size_t{256} << 20;
 Result<std::string> read_file(const std::filesystem::path& path, std::size_t max_bytes = kMaxFileBytes);
 
 /// Writes beside the file and renames, so that a reader sees the old content or the new, never a part.
-/// Missing parent folders are made. Fails with Unreadable.
+/// Missing parent folders are made. Fails with Unwritable.
 Result<void> write_file(const std::filesystem::path& path, std::string_view content);
 
 }  // namespace ganglion

@@ -27,6 +27,8 @@ std::string_view name_of(ErrorCode code) noexcept {
       return "NotFound";
     case ErrorCode::Unreadable:
       return "Unreadable";
+    case ErrorCode::Unwritable:
+      return "Unwritable";
     case ErrorCode::Corrupt:
       return "Corrupt";
     case ErrorCode::Unsupported:

@@ -28,7 +28,8 @@ enum class ErrorCode {
   BadWire,       ///< A wire that cannot be: dangling, of another shape or unit, part of a cycle, a second writer.
   TooLarge,      ///< Over a stated limit.
   NotFound,      ///< A file or folder that is not there.
-  Unreadable,    ///< Input or output failed.
+  Unreadable,    ///< Input failed.
+  Unwritable,    ///< Output failed: disk full, no permission, no such folder.
   Corrupt,       ///< A file that was damaged or cut.
   Unsupported,   ///< Well-formed, but of a version or feature we do not handle.
 };

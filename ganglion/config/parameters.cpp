@@ -34,6 +34,7 @@ void read(Table& table, const ParameterDescriptor& descriptor, Parameters& into)
 Parameters Table::parameters(std::span<const ParameterDescriptor> descriptors) {
   Parameters result(descriptors);
   for (const ParameterDescriptor& descriptor : descriptors) {
+    asks(descriptor.name, {.parameter = &descriptor});
     const bool absent = !has(descriptor.name);
     known(descriptor.name);
     if (!absent) read(*this, descriptor, result);

@@ -24,17 +24,8 @@ bool holds(const Range& range, double number) noexcept {
 
 }  // namespace
 
-std::string text_of(const Range& range) {
-  const bool low = std::isfinite(range.min), high = std::isfinite(range.max);
-  if (low && high)
-    return fmt::format("in {}{}, {}]", range.above_min ? "(" : "[", shortest(range.min), shortest(range.max));
-  if (low) return fmt::format("{} {}", range.above_min ? ">" : ">=", shortest(range.min));
-  if (high) return fmt::format("<= {}", shortest(range.max));
-  return "a finite number";
-}
-
-Table::Table(const Value& value, std::string context, Problems& problems)
-    : value_(&value), place_(value.place()), context_(std::move(context)), problems_(&problems) {
+Table::Table(const Value& value, std::string context, Problems& problems, Outline* outline)
+    : value_(&value), place_(value.place()), context_(std::move(context)), problems_(&problems), outline_(outline) {
   if (value_->type() == Value::Type::Table) return;
   report(value.place(), ErrorCode::BadType, fmt::format("is {}, must be a table", value.type_name()));
   value_ = &empty_table();
@@ -46,10 +37,29 @@ Table::Table(Table&& other) noexcept
       place_(std::move(other.place_)),
       context_(std::move(other.context_)),
       problems_(other.problems_),
+      outline_(other.outline_),
       known_(std::move(other.known_)),
       finished_(other.finished_),
       mute_(other.mute_) {
   other.finished_ = true;
+}
+
+bool Table::has(std::string_view key) const {
+  if (outline_ != nullptr) outline_->mention(key);
+  return value_->find(key) != nullptr;
+}
+
+void Table::known(std::string_view key) {
+  if (outline_ != nullptr) outline_->mention(key);
+  known_.emplace(key);
+}
+
+void Table::asks(std::string_view key, Asked asked) const {
+  if (outline_ != nullptr) outline_->ask(key, std::move(asked));
+}
+
+void Table::is_of(const Descriptor& kind) const {
+  if (outline_ != nullptr) outline_->be(kind);
 }
 
 Place Table::place(std::string_view key) const {
@@ -88,27 +98,31 @@ double Table::checked(std::string_view key, const Value& found, double preset, c
 }
 
 double Table::number(std::string_view key, double preset, const Range& range) {
+  asks(key, {.form = Asked::Form::Number, .range = range, .preset = preset});
   const Value* found = value(key);
   return found != nullptr ? checked(key, *found, preset, range) : preset;
 }
 
 double Table::number(std::string_view key, const Range& range) {
+  asks(key, {.form = Asked::Form::Number, .required = true, .range = range});
   if (value(key) == nullptr) missing(key);
   return number(key, std::isfinite(range.min) ? range.min + (range.above_min ? 1 : 0) : 0, range);
 }
 
 int Table::integer(std::string_view key, int preset, const Range& range) {
+  const Range whole{std::max(range.min, -2147483647.0), std::min(range.max, 2147483647.0), range.above_min};
+  asks(key, {.form = Asked::Form::Whole, .range = whole, .preset = static_cast<double>(preset)});
   const Value* found = value(key);
   if (found == nullptr) return preset;
   if (found->integer() == nullptr) {
     wrong_type(key, *found, "a whole number");
     return preset;
   }
-  const Range whole{std::max(range.min, -2147483647.0), std::min(range.max, 2147483647.0), range.above_min};
   return static_cast<int>(checked(key, *found, preset, whole));
 }
 
 bool Table::boolean(std::string_view key, bool preset) {
+  asks(key, {.form = Asked::Form::Boolean, .preset = preset});
   const Value* found = value(key);
   if (found == nullptr) return preset;
   if (found->boolean() == nullptr) wrong_type(key, *found, "true or false");
@@ -116,6 +130,7 @@ bool Table::boolean(std::string_view key, bool preset) {
 }
 
 std::string Table::text(std::string_view key, std::string_view preset) {
+  asks(key, {.form = Asked::Form::Text, .preset = std::string(preset)});
   const Value* found = value(key);
   if (found == nullptr) return std::string(preset);
   if (found->string() == nullptr) wrong_type(key, *found, "a text in quotes");
@@ -123,14 +138,16 @@ std::string Table::text(std::string_view key, std::string_view preset) {
 }
 
 std::string Table::text(std::string_view key) {
+  asks(key, {.form = Asked::Form::Text, .required = true});
   if (value(key) == nullptr) missing(key);
   return text(key, "");
 }
 
 int Table::choice(std::string_view key, std::span<const std::string_view> choices, int preset) {
+  const std::vector<std::string> names(choices.begin(), choices.end());
+  asks(key, {.form = Asked::Form::Choice, .choices = names, .preset = names[static_cast<std::size_t>(preset)]});
   const Value* found = value(key);
   if (found == nullptr) return preset;
-  const std::vector<std::string> names(choices.begin(), choices.end());
   if (found->string() == nullptr) {
     wrong_type(key, *found, "one of " + join(names));
     return preset;
@@ -145,6 +162,7 @@ int Table::choice(std::string_view key, std::span<const std::string_view> choice
 
 std::vector<double> Table::numbers(std::string_view key, std::vector<double> preset, std::size_t count,
                                    const Range& range) {
+  asks(key, {.form = Asked::Form::Numbers, .range = range, .least = count, .most = count, .preset = preset});
   const Value* found = value(key);
   if (found == nullptr) return preset;
   const Array* items = found->array();
@@ -163,6 +181,7 @@ std::vector<double> Table::numbers(std::string_view key, std::vector<double> pre
 }
 
 std::vector<std::string> Table::texts(std::string_view key) {
+  asks(key, {.form = Asked::Form::Texts});
   const Value* found = value(key);
   if (found == nullptr) return {};
   if (const std::string* one = found->string()) return {*one};
@@ -197,10 +216,14 @@ std::filesystem::path Table::file(std::string_view key) {
   return {};
 }
 
+Outline* Table::inside(std::string_view key, Asked::Form form) const {
+  return outline_ != nullptr ? &outline_->ask(key, {.form = form}).inside.emplace_back() : nullptr;
+}
+
 Table Table::table(std::string_view key) {
   const Value* found = value(key);
   const std::string inner = context_.empty() ? std::string(key) : fmt::format("{}.{}", context_, key);
-  Table result(found != nullptr ? *found : empty_table(), inner, *problems_);
+  Table result(found != nullptr ? *found : empty_table(), inner, *problems_, inside(key, Asked::Form::Table));
   if (found == nullptr) result.place_ = place_;
   return result;
 }
@@ -208,12 +231,18 @@ Table Table::table(std::string_view key) {
 std::vector<Table> Table::tables(std::string_view key) {
   const Value* found = value(key);
   std::vector<Table> result;
-  if (found == nullptr) return result;
+  if (found == nullptr) {
+    if (outline_ != nullptr) result.emplace_back(empty_table(), context_, *problems_, inside(key, Asked::Form::Tables));
+    for (Table& sample : result) sample.mute_ = true;
+    return result;
+  }
   if (found->array() == nullptr) {
     wrong_type(key, *found, fmt::format("written as [[{}]]", key));
     return result;
   }
-  for (const Value& item : *found->array()) result.emplace_back(item, context_, *problems_);
+  for (const Value& item : *found->array()) {
+    result.emplace_back(item, context_, *problems_, inside(key, Asked::Form::Tables));
+  }
   return result;
 }
 
@@ -235,6 +264,7 @@ void Table::finish() {
 }
 
 void check_format(Table& root) {
+  root.asks("format", {.form = Asked::Form::Whole, .required = true, .range = {1, 1}});
   if (!root.has("format")) {
     root.problem("format", ErrorCode::MissingKey, "the file must start with format = 1");
     return;

@@ -8,34 +8,27 @@
 #include <string_view>
 #include <vector>
 
+#include "ganglion/config/outline.h"
+#include "ganglion/config/range.h"
 #include "ganglion/config/value.h"
 #include "ganglion/descriptor/parameters.h"
 
 namespace ganglion::config {
 
-/// What a number must satisfy; both ends belong to the range unless `above` excludes the lower one.
-struct Range {
-  double min = -std::numeric_limits<double>::infinity();
-  double max = std::numeric_limits<double>::infinity();
-  bool above_min = false;
-};
-/// "> 0", ">= 1", "in [0, 1]".
-std::string text_of(const Range& range);
-inline constexpr Range kPositive{0, std::numeric_limits<double>::infinity(), true};
-inline constexpr Range kNotNegative{0};
-
 /// Reads one table of a file, key by key. Whatever is wrong goes into the Problems with its place, and a default stands
 /// in, so that one pass finds everything. Keys that nobody asked for are reported by finish(), or by the destructor.
 class Table {
  public:
-  /// `context` opens each message: a component's id, "" for none. The value must outlive the table.
-  Table(const Value& value, std::string context, Problems& problems);
+  /// `context` opens each message: a component's id, "" for none. The value must outlive the table, and so must
+  /// `outline`: where there is one it notes whatever is asked of the table and of those inside it. A list of tables
+  /// that is absent then reads as one empty table of which no problem is told, so that its keys are asked for as well.
+  Table(const Value& value, std::string context, Problems& problems, Outline* outline = nullptr);
   Table(Table&&) noexcept;
   Table(const Table&) = delete;
   Table& operator=(const Table&) = delete;
   ~Table() { finish(); }
 
-  bool has(std::string_view key) const noexcept { return value_->find(key) != nullptr; }
+  bool has(std::string_view key) const;
   /// The value as it stands, or null; the key counts as read.
   const Value* value(std::string_view key);
   /// Where it stands; of an absent table where the one around it stands.
@@ -70,7 +63,11 @@ class Table {
   Parameters parameters(std::span<const ParameterDescriptor> descriptors);
 
   /// Marks a key as known without reading it.
-  void known(std::string_view key) { known_.emplace(key); }
+  void known(std::string_view key);
+  /// Tells the outline, if there is one, of a key that is read by its value().
+  void asks(std::string_view key, Asked asked) const;
+  /// Tells it of which kind the table is.
+  void is_of(const Descriptor& kind) const;
   /// The keys of the table, in file order.
   std::vector<std::string> keys() const;
   /// All that stands in it, known or not.
@@ -88,12 +85,14 @@ class Table {
   void report(const Place& where, ErrorCode code, const std::string& message) const;
   void missing(std::string_view key) const;
   void wrong_type(std::string_view key, const Value& found, std::string_view wanted) const;
+  Outline* inside(std::string_view key, Asked::Form form) const;
   double checked(std::string_view key, const Value& found, double preset, const Range& range) const;
 
   const Value* value_;
   Place place_;
   std::string context_;
   Problems* problems_;
+  Outline* outline_;  ///< Null: nobody wants one.
   std::set<std::string, std::less<>> known_;
   bool finished_ = false;
   bool mute_ = false;  ///< Is no table at all, which was reported: nothing in it can be judged.

@@ -22,8 +22,19 @@ class Digest {
   /// Independent of the order in which components joined.
   std::uint64_t total() const noexcept;
 
+  /// The digest of one component, which two runs may share though the rest of them differs.
+  struct OfComponent {
+    std::uint32_t robot = 0;
+    std::string component;
+    std::uint64_t value = 0;
+  };
+  /// In the order in which they joined.
+  std::vector<OfComponent> components() const;
+
  private:
   struct Part {
+    std::uint32_t robot;
+    std::string component;
     std::uint64_t name;
     std::uint64_t state;
   };

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ganglion/application/description.h"
+#include "ganglion/config/outline.h"
 #include "ganglion/config/value.h"
 #include "ganglion/graph/kind_list.h"
 
@@ -91,8 +92,10 @@ inline constexpr std::size_t kMaxValues = std::size_t{1} << 20;
 /// and 0 for whole numbers, whose requests take no other, and for every other unit.
 double default_tolerance(const Descriptor& kind) noexcept;
 
-/// Reads a controller file. Every problem is reported at its place; the model holds what was understood.
-ControllerModel read_controller(const config::Value& root, const KindList& kinds, Problems& problems);
+/// Reads a controller file. Every problem is reported at its place; the model holds what was understood. `outline`
+/// takes down what was asked.
+ControllerModel read_controller(const config::Value& root, const KindList& kinds, Problems& problems,
+                                config::Outline* outline = nullptr);
 
 /// Understands every wire against the robot: dangling ends, shapes, units, second writers, commands that go nowhere.
 void resolve(ControllerModel& model, const RobotDescription& robot, Problems& problems);

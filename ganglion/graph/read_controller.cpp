@@ -41,7 +41,10 @@ std::string noun_of(ComponentClass component_class) {
 const Descriptor* read_kind(Table& table, ComponentClass component_class, const KindList& kinds) {
   const std::string name = table.text("kind", "");
   const Descriptor* descriptor = find_descriptor(kinds, component_class, name);
-  if (descriptor != nullptr) return descriptor;
+  if (descriptor != nullptr) {
+    table.is_of(*descriptor);
+    return descriptor;
+  }
   for (const ComponentClass other : kClasses) {
     if (find_descriptor(kinds, other, name) == nullptr) continue;
     table.problem("kind", ErrorCode::UnknownKey, "\"{}\" is a kind of {}; write it under [[{}]], not [[{}]]", name,
@@ -248,9 +251,10 @@ int ControllerModel::find(std::string_view id) const noexcept {
   return -1;
 }
 
-ControllerModel read_controller(const config::Value& value, const KindList& kinds, Problems& problems) {
+ControllerModel read_controller(const config::Value& value, const KindList& kinds, Problems& problems,
+                                config::Outline* outline) {
   ControllerModel model;
-  Table root(value, "", problems);
+  Table root(value, "", problems, outline);
   config::check_format(root);
   model.name = root.text("name", "");
   model.robot = root.path("robot");

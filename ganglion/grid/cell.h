@@ -42,7 +42,7 @@ enum class Nature : std::uint8_t { Static, Dynamic };
 
 /// What is known of one cell.
 struct Cell {
-  double risk = 0;           ///< r in [0, 1): belief that crossing fails; P(cross) = 1 - r.
+  double risk = 0;           ///< r in [0, 1): belief that crossing fails; P(cross) = 1 - r. Unexplored: mere suspicion.
   double cost_j = 0;         ///< Running mean of what entering it took, for the length of one straight step [J].
   std::uint32_t costed = 0;  ///< Crossings in that mean.
   std::uint32_t inhibited_until = 0;  ///< No attempt before this tick.

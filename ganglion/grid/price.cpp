@@ -1,5 +1,7 @@
 #include "ganglion/grid/price.h"
 
+#include <algorithm>
+
 #include "ganglion/math/functions.h"
 
 namespace ganglion::grid {
@@ -16,8 +18,16 @@ bool Pricing::open(const Cell& cell) const noexcept {
   return !map_->spent(cell);
 }
 
-std::uint32_t Pricing::risk_units(double risk) const noexcept {
-  return risk > 0 ? rounded(-rule_.risk_weight * math::log(1 - risk) * kStraightUnits) : 0;
+std::uint32_t Pricing::risk_units(double risk, double weight) noexcept {
+  return risk > 0 ? rounded(-weight * math::log(1 - risk) * kStraightUnits) : 0;
+}
+
+void Pricing::price_unexplored(CellIndex index, Price& price) const noexcept {
+  const double risk = unexplored_risk(*map_, index, rule_.unexplored);
+  price.risk = risk_units(risk, rule_.unexplored.weight);
+  // A diagonal attempt that fails beside unexplored ground teaches little; straight attempts come first.
+  const bool suspects = query_ == Query::Feasible;
+  price.side = suspects ? std::max(price.risk, risk_units(map_->rule().first_risk, rule_.risk_weight)) : price.risk;
 }
 
 Price Pricing::operator()(CellIndex index) const noexcept {
@@ -30,10 +40,10 @@ Price Pricing::operator()(CellIndex index) const noexcept {
   const double factor = weighs ? map_->cost_factor(*cell) : 1;
   price.straight = rounded(kStraightUnits * factor);
   price.diagonal = rounded(kDiagonalUnits * factor);
-  if (query_ == Query::Feasible) {
-    price.risk = known ? risk_units(cell->risk) : 0;
-    // A diagonal attempt that fails beside unexplored ground teaches little; straight attempts come first.
-    price.side = known ? price.risk : risk_units(map_->rule().first_risk);
+  if (!known) {
+    price_unexplored(index, price);
+  } else if (query_ == Query::Feasible) {
+    price.risk = price.side = risk_units(cell->risk, rule_.risk_weight);
   }
   return price;
 }

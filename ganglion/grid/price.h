@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "ganglion/grid/risk_map.h"
+#include "ganglion/grid/unexplored_risk.h"
 
 namespace ganglion::grid {
 
@@ -14,8 +15,10 @@ inline constexpr std::uint32_t kNever = 0xFFFFFFFF;
 
 /// What a route may go over.
 enum class Query : std::uint8_t {
-  Secure,    ///< Cells unexplored, or empty with a risk of at most secure_risk. Costs: length.
-  Feasible,  ///< Every cell that may be tried at this tick, occupied ones included. Costs: length - weight ln(1 - r).
+  /// Cells unexplored, or empty with a risk of at most secure_risk. Costs: length - weight ln(1 - r) where unexplored.
+  Secure,
+  /// Every cell that may be tried at this tick, occupied ones included. Costs: length - weight ln(1 - r).
+  Feasible,
 };
 
 /// Ours throughout, but for the two queries.
@@ -23,6 +26,7 @@ struct PriceRule {
   double secure_risk = 0.2;
   double risk_weight = 4;          ///< Cells of detour that are worth a certainty of 1/e.
   bool secure_weighs_cost = true;  ///< Learned costs count in secure routes as well, not in feasible ones only.
+  UnexploredRule unexplored{};
 };
 
 /// What it takes to enter a cell, in units. Not to be entered: straight = 0.
@@ -49,7 +53,8 @@ class Pricing {
 
  private:
   bool open(const Cell& cell) const noexcept;
-  std::uint32_t risk_units(double risk) const noexcept;
+  static std::uint32_t risk_units(double risk, double weight) noexcept;
+  void price_unexplored(CellIndex cell, Price& price) const noexcept;
 
   const RiskMap* map_;
   PriceRule rule_;

@@ -110,11 +110,18 @@ void RiskMap::enter_round(Cell& cell) const noexcept {
   cell.closed_diagonals = 0;
 }
 
-void RiskMap::close_diagonal(CellIndex from, int direction) noexcept {
+void RiskMap::fail_diagonal(CellIndex from, int direction) noexcept {
   Cell* cell = at(from);
   if (cell == nullptr) return;
   enter_round(*cell);
   cell->closed_diagonals = static_cast<std::uint8_t>(cell->closed_diagonals | 1 << (direction / 2));
+  std::array<Cell*, 3> suspects{};
+  std::size_t count = 0;
+  for (const int turn : {-1, 0, 1}) {
+    Cell* suspect = at(neighbour(from, turned(direction, turn)));
+    if (suspect != nullptr && suspect->label == Label::Unexplored) suspects[count++] = suspect;
+  }
+  for (std::size_t n = 0; n < count; ++n) suspects[n]->risk = std::max(suspects[n]->risk, suspicion(count));
   ++revision_;
 }
 

@@ -24,7 +24,7 @@ struct Tile {
 
 /// How sure it is that a step failed because of this cell, and how much of an attempt that makes, in halves.
 enum class FailureCause : std::uint8_t {
-  Unclear = 0,    ///< It may have been another cell: see close_diagonal().
+  Unclear = 0,    ///< It may have been another cell: see fail_diagonal().
   Untouched = 1,  ///< No other cell, but nothing was touched: perhaps the robot only slipped.
   Cell = 2,
 };
@@ -52,8 +52,9 @@ class RiskMap {
   /// The robot was put or found there without an attempt of its own.
   void visit(CellIndex cell) noexcept;
   void fail(CellIndex cell, std::uint32_t now, FailureCause cause = FailureCause::Cell) noexcept;
-  /// A diagonal step failed, and which of its three cells blocks it is unclear: not the same way again in this round.
-  void close_diagonal(CellIndex from, int direction) noexcept;
+  /// A diagonal step failed, and which of its three cells blocks it is unclear: not the same way again in this round,
+  /// and those that are unexplored stay so, but share the suspicion.
+  void fail_diagonal(CellIndex from, int direction) noexcept;
   void book_cost(CellIndex cell, double cost_j) noexcept;
 
   static bool inhibited(const Cell& cell, std::uint32_t now) noexcept { return now < cell.inhibited_until; }

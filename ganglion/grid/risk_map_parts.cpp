@@ -1,6 +1,6 @@
-// The layout of a saved map, version 1.
+// The layout of a saved map, version 2. Version 1 had no suspected cells.
 //   "map":          f64 mean cost of all crossings, u32 crossings in that mean
-//   "tile <c> <r>": i32 column, i32 row, u32 count, then for each explored cell, ascending:
+//   "tile <c> <r>": i32 column, i32 row, u32 count, then for each explored or suspected cell, ascending:
 //                   u32 index, u8 label + 4 * dynamic, f64 risk, f64 mean cost, u32 crossings in that mean
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ void write_cell(ByteWriter& writer, std::uint32_t index, const Cell& cell) {
   writer.u32(cell.costed);
 }
 
-/// Reads all but the index. False when the values are not those of an explored cell.
+/// Reads all but the index. False when the values are not those of a cell worth saving.
 bool read_cell(ByteReader& reader, Cell& cell) noexcept {
   const int kind = reader.u8();
   cell.label = static_cast<Label>(kind & 3);
@@ -29,8 +29,10 @@ bool read_cell(ByteReader& reader, Cell& cell) noexcept {
   cell.risk = reader.f64();
   cell.cost_j = reader.f64();
   cell.costed = reader.u32();
+  const bool suspected = kind == static_cast<int>(Label::Unexplored) && cell.costed == 0;
   const bool labelled = kind < 8 && (cell.label == Label::Empty || cell.label == Label::Occupied);
-  return labelled && cell.risk >= 0 && cell.risk <= kMaxRisk && std::isfinite(cell.cost_j) && cell.cost_j >= 0;
+  return (labelled || suspected) && cell.risk >= 0 && cell.risk <= kMaxRisk && std::isfinite(cell.cost_j) &&
+         cell.cost_j >= 0;
 }
 
 tl::unexpected<Error> corrupt(std::string_view part, std::string_view wanted) {
@@ -38,13 +40,13 @@ tl::unexpected<Error> corrupt(std::string_view part, std::string_view wanted) {
 }
 
 ExperiencePart part_of(const Tile& tile) {
-  const auto explored = [](const Cell& cell) { return cell.label != Label::Unexplored; };
+  const auto worth = [](const Cell& cell) { return cell.label != Label::Unexplored || cell.risk > 0; };
   ByteWriter writer;
   writer.i32(tile.column);
   writer.i32(tile.row);
-  writer.u32(static_cast<std::uint32_t>(std::count_if(tile.cells.begin(), tile.cells.end(), explored)));
+  writer.u32(static_cast<std::uint32_t>(std::count_if(tile.cells.begin(), tile.cells.end(), worth)));
   for (std::uint32_t i = 0; i < tile.cells.size(); ++i) {
-    if (explored(tile.cells[i])) write_cell(writer, i, tile.cells[i]);
+    if (worth(tile.cells[i])) write_cell(writer, i, tile.cells[i]);
   }
   return {fmt::format("tile {} {}", tile.column, tile.row), writer.take()};
 }

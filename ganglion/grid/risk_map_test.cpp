@@ -146,7 +146,7 @@ TEST(RiskMap, CountsAnAttemptHalfWhenNothingWasTouched) {
 TEST(RiskMap, ClosesADiagonalForTheRoundWhenItsFailureIsUnclear) {
   RiskMap map = map_round({0, 0});
   map.fail({1, 1}, 1, FailureCause::Unclear);
-  map.close_diagonal({0, 0}, 1);
+  map.fail_diagonal({0, 0}, 1);
   EXPECT_FALSE(map.spent(*map.find({1, 1})));
   const Pricing later{map, {}, Query::Feasible, 100};
   EXPECT_FALSE(later.may_step({0, 0}, 1));

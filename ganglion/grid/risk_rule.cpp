@@ -35,6 +35,11 @@ void note_cost(Cell& cell, double cost_j) noexcept {
   cell.cost_j += (cost_j - cell.cost_j) / cell.costed;
 }
 
+double suspicion(std::size_t suspects) noexcept {
+  constexpr double kBlocked = 0.9;  // that it is one of them at all: the robot may have slipped
+  return kBlocked / static_cast<double>(suspects);
+}
+
 std::uint32_t inhibition_ticks(double risk, const RiskRule& rule) noexcept {
   return rule.inhibition_base + static_cast<std::uint32_t>(std::floor(rule.inhibition_span * risk));
 }

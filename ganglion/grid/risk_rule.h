@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "ganglion/grid/cell.h"
@@ -27,6 +28,8 @@ void note_failure(Cell& cell, const RiskRule& rule) noexcept;
 void note_crossing(Cell& cell, const RiskRule& rule) noexcept;
 /// Books the cost of entering the cell, for the length of one straight step, on its running mean.
 void note_cost(Cell& cell, double cost_j) noexcept;
+/// What a failed diagonal step leaves on each of the unexplored cells that may have blocked it, in (0, 1): ours.
+double suspicion(std::size_t suspects) noexcept;
 /// How long a cell of this risk stays closed after a failure [ticks].
 std::uint32_t inhibition_ticks(double risk, const RiskRule& rule) noexcept;
 

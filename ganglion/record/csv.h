@@ -29,7 +29,7 @@ inline constexpr std::size_t kMaxCsvValues = std::size_t{1} << 26;
 /// The table with the columns `tick` and `time_s` in front. Comma, "\n", the shortest decimals that read back; missing
 /// readings are spelt nan, inf, -inf; names with commas or quotes stand in quotes (RFC 4180).
 std::string to_csv(const SignalTable& table);
-/// Fails with Unreadable.
+/// Fails with Unwritable.
 Result<void> write_csv(const SignalTable& table, const std::filesystem::path& path);
 
 /// Reads numbers under a line of names; "\r\n", a byte order mark, blanks around cells and empty last lines are

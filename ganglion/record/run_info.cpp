@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::string_view kVersion = "version.";
 constexpr std::string_view kMeasure = "measure.";
+constexpr std::string_view kDigest = "digest.";
 constexpr std::string_view kReasonEs = "reason_es";
 constexpr std::string_view kCriterion = "criterion";
 
@@ -84,6 +85,7 @@ mcap::Fields to_fields(const RunOutcome& outcome) {
   if (!outcome.reason_es.empty()) fields.emplace_back(kReasonEs, outcome.reason_es);
   if (!outcome.criterion.empty()) fields.emplace_back(kCriterion, outcome.criterion);
   for (const auto& [name, value] : outcome.measures) fields.emplace_back(std::string(kMeasure) + name, shortest(value));
+  for (const auto& [name, digest] : outcome.component_digests) fields.emplace_back(std::string(kDigest) + name, digest);
   return fields;
 }
 
@@ -112,6 +114,7 @@ Result<RunOutcome> run_outcome_from(const mcap::Fields& fields) {
     if (key == kReasonEs) outcome.reason_es = value;
     if (key == kCriterion) outcome.criterion = value;
     if (key.starts_with(kMeasure)) outcome.measures.emplace_back(key.substr(kMeasure.size()), taker.number(key, value));
+    if (key.starts_with(kDigest)) outcome.component_digests.emplace_back(key.substr(kDigest.size()), value);
   }
   return taker.result(std::move(outcome));
 }

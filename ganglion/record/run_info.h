@@ -31,14 +31,16 @@ struct RunOutcome {
   std::string reason_es;  ///< ... and Spanish; "" in files that had English only.
   std::string criterion;  ///< What the experiment calls success: "progress_ratio >= 0.6; ..."; "" likewise.
   std::vector<std::pair<std::string, double>> measures;  ///< In the order of the experiment file.
+  /// Of each component alone, "robot0/escape": what an unrelated component leaves as it was.
+  std::vector<std::pair<std::string, std::string>> component_digests;
 };
 
 /// Names of the MCAP metadata records that hold the two.
 inline constexpr std::string_view kRunMetadata = "ganglion.run";
 inline constexpr std::string_view kOutcomeMetadata = "ganglion.outcome";
 
-/// All as text: a name for each field, "version.<name>", "measure.<name>". Numbers in the shortest form that reads
-/// back.
+/// All as text: a name for each field, "version.<name>", "measure.<name>", "digest.<component>". Numbers in the
+/// shortest form that reads back.
 mcap::Fields to_fields(const RunInfo& info);
 mcap::Fields to_fields(const RunOutcome& outcome);
 

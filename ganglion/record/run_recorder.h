@@ -23,7 +23,7 @@ namespace ganglion {
 /// for byte.
 class RunRecorder {
  public:
-  /// Fails with Unreadable when the file cannot be made. A file without outcome tells of a run that was cut.
+  /// Fails with Unwritable when the file cannot be made. A file without outcome tells of a run that was cut.
   static Result<RunRecorder> create(const std::filesystem::path& path, const RunInfo& info,
                                     McapWriterOptions options = {});
 

@@ -37,7 +37,7 @@ double quantile(std::vector<double> values, double part);
 /// A page with the success shares and the quartiles of every measure of several batches side by side. It opens offline.
 std::string comparison_page(std::span<const NamedBatch> batches, plot::Language language = plot::Language::English);
 
-/// The same into a file. Fails with Unreadable.
+/// The same into a file. Fails with Unwritable.
 Result<void> write_comparison(std::span<const NamedBatch> batches, const std::filesystem::path& path,
                               plot::Language language = plot::Language::English);
 

@@ -19,7 +19,7 @@ struct ReportOptions {
 /// stay text. Fails where a picture cannot be drawn.
 Result<std::string> report_page(const plot::RunView& run, const ReportOptions& options = {});
 
-/// The same into a file. Fails with Unreadable as well.
+/// The same into a file. Fails with Unwritable as well.
 Result<void> write_report(const plot::RunView& run, const std::filesystem::path& path,
                           const ReportOptions& options = {});
 

@@ -29,7 +29,10 @@ void work_through(Work& work) {
     options.seed = work.options.first_seed + index;
     options.experience = work.options.experience;
     if (work.options.run_file) options.run_file = work.options.run_file(options.seed);
-    options.progress = [&work](double) { return !work.stop; };
+    options.stop = [&work] {
+      if (work.options.stop && work.options.stop()) work.stop = true;
+      return work.stop.load();
+    };
     auto result = run(work.prepared, options);
     const std::scoped_lock lock(work.mutex);
     ++work.done;

@@ -14,6 +14,7 @@ struct BatchOptions {
   std::vector<ModuleExperience> experience;  ///< Every run starts with a copy of its own, dropped at its end.
   std::function<std::filesystem::path(std::uint64_t seed)> run_file;  ///< Empty: nothing is recorded.
   std::function<bool(std::size_t done, std::size_t all)> progress;    ///< From any thread, one at a time; false = stop.
+  std::function<bool()> stop;  ///< Asked from every thread between ticks; true ends all runs, each with a whole file.
 };
 
 /// Runs every seed, in parallel; results stand in order of the seeds, whatever thread did them. A run that could not be

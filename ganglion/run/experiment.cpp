@@ -1,6 +1,9 @@
 #include "ganglion/run/experiment.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
 
 #include "ganglion/base/file.h"
 #include "ganglion/base/text.h"
@@ -39,12 +42,11 @@ void sort_out(const std::vector<Override>& overrides, Experiment& experiment, st
 SpawnChoice read_spawn(Table table) {
   SpawnChoice spawn;
   spawn.id = table.text("id", "");
-  if (table.has("pose")) {
-    const std::vector<double> pose = table.numbers("pose", {0, 0, 0}, 3);
-    spawn.pose = Pose2{{pose[0], pose[1]}, Angle::from_deg(pose[2])};
-  }
+  const std::vector<double> pose = table.numbers("pose", {}, 3);
+  if (!pose.empty()) spawn.pose = Pose2{{pose[0], pose[1]}, Angle::from_deg(pose[2])};
   spawn.clearance_m = table.number("clearance_m", spawn.clearance_m, config::Range{0, 100});
-  if (table.has("yaw_deg")) spawn.yaw = Angle::from_deg(table.number("yaw_deg", 0));
+  const double yaw_deg = table.number("yaw_deg", std::numeric_limits<double>::quiet_NaN());
+  if (!std::isnan(yaw_deg)) spawn.yaw = Angle::from_deg(yaw_deg);
   if (spawn.pose && !spawn.id.empty()) table.problem("id", ErrorCode::BadParameter, "give either a pose or an id");
   return spawn;
 }
@@ -83,7 +85,72 @@ void read_run(Table run, Experiment& experiment) {
   experiment.stop = read_criteria(run, "stop");
 }
 
+/// When it happens: `from_s` is a time, or [earliest, latest].
+void read_window(Table& table, Fault& fault) {
+  const config::Value* from = table.value("from_s");
+  if (from != nullptr && from->array() != nullptr) {
+    const std::vector<double> range = table.numbers("from_s", {}, 2, config::kNotNegative);
+    if (range.size() == 2) std::tie(fault.from_s, fault.from_latest_s) = std::pair(range[0], range[1]);
+    if (fault.from_latest_s < fault.from_s)
+      table.problem("from_s", ErrorCode::BadParameter, "from_s = [earliest, latest] has its smaller number last");
+  } else {
+    fault.from_s = table.number("from_s", 0, config::kNotNegative);
+  }
+  fault.to_s = table.number("to_s", fault.to_s, config::kPositive);
+  if (fault.to_s <= fault.from_s) table.problem("to_s", ErrorCode::BadParameter, "to_s is not after from_s");
+  fault.chance = table.number("chance", 1, config::Range{0, 1});
+}
+
+FaultKind read_kind(Table& table) {
+  const std::vector<std::string> names(kFaultNames.begin(), kFaultNames.end());
+  table.asks("kind", {.form = config::Asked::Form::Choice, .required = true, .choices = names});
+  if (!table.has("kind")) {
+    table.problem("kind", ErrorCode::MissingKey, "kind is missing: one of {}", join(names));
+  }
+  return static_cast<FaultKind>(table.choice("kind", kFaultNames, 0));
+}
+
+std::vector<Fault> read_faults(Table& root) {
+  std::vector<Fault> faults;
+  for (Table& table : root.tables("fault")) {
+    Fault fault;
+    fault.place = table.place("target");
+    fault.target = table.text("target");
+    table.set_context(fault.target);
+    fault.kind = read_kind(table);
+    fault.amount = table.number("amount", 0);
+    fault.with = table.text("with", "");
+    read_window(table, fault);
+    faults.push_back(std::move(fault));
+  }
+  return faults;
+}
+
+/// The file itself; `table` is its root.
+void read_table(Table table, Experiment& experiment, const ExperimentFiles& instead) {
+  config::check_format(table);
+  experiment.name = table.text("name", experiment.files.experiment.parent_path().filename().string());
+  experiment.files.controller = read_file_name(table, "controller", instead.controller);
+  if (!table.has("controller") && instead.controller.empty()) table.text("controller");  // reports it missing
+  experiment.success = read_criteria(table, "success");
+  experiment.faults = read_faults(table);
+  read_application(table.table("application"), experiment, instead);
+  read_run(table.table("run"), experiment);
+}
+
 }  // namespace
+
+Experiment parse_experiment(std::string_view text, const std::string& file_name, Problems& problems,
+                            config::Outline* outline) {
+  Experiment experiment;
+  experiment.files.experiment = file_name;
+  if (const auto root = config::parse(text, file_name)) {
+    read_table(Table(*root, "", problems, outline), experiment, {});
+  } else {
+    problems.add(root.error());
+  }
+  return experiment;
+}
 
 Experiment read_experiment(const std::filesystem::path& given, const std::vector<Override>& overrides,
                            Problems& problems, const ExperimentFiles& instead) {
@@ -101,14 +168,7 @@ Experiment read_experiment(const std::filesystem::path& given, const std::vector
   for (const Override& override : own) {
     if (auto applied = config::apply(*root, override); !applied) problems.add(applied.error());
   }
-  Table table(*root, "", problems);
-  config::check_format(table);
-  experiment.name = table.text("name", experiment.files.experiment.parent_path().filename().string());
-  experiment.files.controller = read_file_name(table, "controller", instead.controller);
-  if (!table.has("controller") && instead.controller.empty()) table.text("controller");  // reports it missing
-  experiment.success = read_criteria(table, "success");
-  read_application(table.table("application"), experiment, instead);
-  read_run(table.table("run"), experiment);
+  read_table(Table(*root, "", problems), experiment, instead);
   return experiment;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "ganglion/application/fault/fault.h"
 #include "ganglion/config/table.h"
 #include "ganglion/geometry/pose2.h"
 #include "ganglion/run/criterion.h"
@@ -38,6 +39,7 @@ struct Experiment {
   std::uint64_t seed = 1;
   double maps_every_s = 1;         ///< How often maps are recorded while they change.
   bool free_ground = false;        ///< Drive the same run on open ground first, to measure progress_ratio against it.
+  std::vector<Fault> faults;       ///< Of every robot, in their order.
   std::vector<Criterion> success;  ///< All must be met.
   std::vector<Criterion> stop;     ///< Any ends the run early.
   std::vector<config::Override> controller_overrides, robot_overrides, world_overrides;  ///< For the named files.
@@ -50,6 +52,10 @@ struct Experiment {
 /// was understood.
 Experiment read_experiment(const std::filesystem::path& path, const std::vector<config::Override>& overrides,
                            Problems& problems, const ExperimentFiles& instead = {});
+
+/// The same from a text, without --set. `outline` takes down what was asked.
+Experiment parse_experiment(std::string_view text, const std::string& file_name, Problems& problems,
+                            config::Outline* outline = nullptr);
 
 /// Every file the experiment reads, those named by other files included.
 std::vector<std::filesystem::path> input_files(const ExperimentFiles& files);

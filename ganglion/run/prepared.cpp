@@ -98,6 +98,10 @@ std::optional<Prepared> prepare(const std::filesystem::path& path, const std::ve
   prepared.robot = load_robot(experiment, problems);
   const RobotDescription* description = prepared.robot != nullptr ? &prepared.robot->description : nullptr;
   auto model = load_controller(experiment.files.controller, experiment.controller_overrides, description, problems);
+  for (const Fault& fault : experiment.faults) {
+    if (description == nullptr) break;
+    if (const auto site = site_of(fault, *description); !site) problems.add(site.error());
+  }
   prepared.ground = load_ground(experiment, problems);
   if (experiment.free_ground) prepared.open_ground = open_ground(problems);
   if (!problems.empty() || !model || prepared.ground == nullptr) return std::nullopt;

@@ -94,8 +94,8 @@ Result<Recording> Recording::start(const Prepared& prepared, const RunOptions& o
 Result<void> Recording::finish(RunResult& result) {
   if (!recorder_) return {};
   result.files.push_back(file_.string());
-  return recorder_->finish(
-      {result.digest, result.success, result.reason, result.reason_es, criterion_, result.measures});
+  return recorder_->finish({result.digest, result.success, result.reason, result.reason_es, criterion_, result.measures,
+                            result.component_digests});
 }
 
 Result<RecordedInputs> unpack_inputs(const RunFile& run, const fs::path& folder) {

@@ -72,7 +72,8 @@ Result<ReplayResult> replay_run(const fs::path& run_file) {
   options.episode = recorded->info.episode;
   options.experience = std::move(inputs->experience);
   options.run_file = folder.path() / "repeated.mcap";
-  if (!recorded->outcome && !recorded->tables.empty()) {  // a run that was cut: only as far as it goes
+  const bool short_run = !recorded->outcome || recorded->outcome->reason.starts_with(kInterrupted);
+  if (short_run && !recorded->tables.empty()) {  // only as far as it goes
     const std::size_t rows = recorded->tables.front().rows();
     options.progress = [rows, done = std::size_t{0}](double) mutable { return ++done < rows; };
   }

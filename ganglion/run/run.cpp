@@ -6,6 +6,7 @@
 #include <cmath>
 #include <thread>
 
+#include "ganglion/application/fault/faulty_application.h"
 #include "ganglion/base/text.h"
 #include "ganglion/kinds/kinds.h"
 #include "ganglion/run/recording.h"
@@ -46,8 +47,12 @@ Result<Controllers> make_controllers(const Prepared& prepared, const RunOptions&
 /// One run as it goes: application, controllers, frames between them.
 class Course {
  public:
-  Course(const Prepared& prepared, std::unique_ptr<sim::Simulation> simulation, Controllers controllers)
-      : step_s_(prepared.step_s), simulation_(std::move(simulation)), controllers_(std::move(controllers)) {
+  Course(const Prepared& prepared, std::unique_ptr<sim::Simulation> simulation,
+         std::unique_ptr<FaultyApplication> application, Controllers controllers)
+      : step_s_(prepared.step_s),
+        simulation_(std::move(simulation)),
+        application_(std::move(application)),
+        controllers_(std::move(controllers)) {
     const RobotDescription& description = prepared.robot->description;
     sense_.assign(controllers_.size(), make_sense_frame(description));
     act_.assign(controllers_.size(), make_act_frame(description));
@@ -58,7 +63,7 @@ class Course {
 
   /// A frame to every controller, a frame back.
   void decide() noexcept {
-    simulation_->sense(sense_);
+    application_->sense(sense_);
     for (std::size_t i = 0; i < controllers_.size(); ++i) {
       controllers_[i]->tick(sense_[i], step_s_, act_[i]);
       const sim::Truth& truth = simulation_->truth(static_cast<int>(i));
@@ -69,7 +74,7 @@ class Course {
   }
   /// The commands are carried out; controllers may grow meanwhile.
   void act() {
-    simulation_->step(act_, step_s_);
+    application_->step(act_, step_s_);
     for (const auto& controller : controllers_) controller->grow();
   }
 
@@ -82,10 +87,23 @@ class Course {
     for (const auto& controller : controllers_) sum += controller->digest().total();
     return hex(sum);
   }
+  std::vector<std::pair<std::string, std::string>> component_digests() const {
+    std::vector<std::pair<std::string, std::string>> result;
+    const auto tell = [&result](const Digest& digest) {
+      for (const Digest::OfComponent& one : digest.components()) {
+        if (one.robot >= kDigestedRobots) continue;
+        result.emplace_back(fmt::format("robot{}/{}", one.robot, one.component), hex(one.value));
+      }
+    };
+    tell(truth_);
+    for (const auto& controller : controllers_) tell(controller->digest());
+    return result;
+  }
 
  private:
   double step_s_;
   std::unique_ptr<sim::Simulation> simulation_;
+  std::unique_ptr<FaultyApplication> application_;  // of the simulation
   Controllers controllers_;
   std::vector<SenseFrame> sense_;
   std::vector<ActFrame> act_;
@@ -94,25 +112,29 @@ class Course {
 };
 
 Result<Course> make_course(const Prepared& prepared, const RunOptions& options,
-                           std::shared_ptr<const sim::Ground> ground, const std::vector<Pose2>& starts) {
+                           std::shared_ptr<const sim::Ground> ground, const std::vector<Pose2>& starts,
+                           const std::vector<Fault>& faults) {
   auto simulation = sim::Simulation::make(prepared.simulation(std::move(ground), starts));
   if (!simulation) return tl::unexpected<Error>(simulation.error());
-  if (auto reset = (*simulation)->reset(options.seed, options.episode); !reset) {
+  auto faulty = FaultyApplication::make(**simulation, faults, prepared.step_s);
+  if (!faulty) return tl::unexpected<Error>(faulty.error());
+  if (auto reset = (*faulty)->reset(options.seed, options.episode); !reset) {
     return tl::unexpected<Error>(reset.error());
   }
   auto controllers = make_controllers(prepared, options);
   if (!controllers) return tl::unexpected<Error>(controllers.error());
-  return Course(prepared, std::move(*simulation), std::move(*controllers));
+  return Course(prepared, std::move(*simulation), std::move(*faulty), std::move(*controllers));
 }
 
 std::uint32_t ticks_of(const Prepared& prepared) {
   return static_cast<std::uint32_t>(std::max(1.0, std::round(prepared.experiment.duration_s / prepared.step_s)));
 }
 
-/// Progress along the course that the same robots make from the same poses where nothing stands in their way.
+/// Progress along the course that the same robots, faults included, make from the same poses where nothing stands in
+/// their way.
 Result<std::vector<FreeGround>> drive_free_ground(const Prepared& prepared, const RunOptions& options,
                                                   const std::vector<Pose2>& starts) {
-  auto course = make_course(prepared, options, prepared.open_ground, starts);
+  auto course = make_course(prepared, options, prepared.open_ground, starts, prepared.experiment.faults);
   if (!course) return tl::unexpected<Error>(course.error());
   std::vector<FreeGround> progress(starts.size());
   const std::uint32_t ticks = ticks_of(prepared);
@@ -124,6 +146,7 @@ Result<std::vector<FreeGround>> drive_free_ground(const Prepared& prepared, cons
       const double along_m = way.dot(direction(starts[i].yaw.rad()));
       progress[i].push_back(std::max(along_m, tick > 0 ? progress[i].back() : 0));
     }
+    if (options.stop && options.stop()) break;  // the run itself will see it too
   }
   return progress;
 }
@@ -169,7 +192,7 @@ class Judge {
 };
 
 void judge(const Experiment& experiment, RunResult& result) {
-  result.success = true;
+  result.success = result.reason != kInterrupted;
   for (const Criterion& criterion : experiment.success) {
     if (criterion.met(result.measures)) continue;
     result.success = false;
@@ -196,7 +219,7 @@ std::size_t concluded_goals(const Course& course) {
 }  // namespace
 
 Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
-  auto course = make_course(prepared, options, prepared.ground, {});
+  auto course = make_course(prepared, options, prepared.ground, {}, prepared.experiment.faults);
   if (!course) return tl::unexpected<Error>(course.error());
   std::vector<FreeGround> free_ground;
   if (prepared.open_ground != nullptr) {
@@ -230,8 +253,9 @@ Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
       ended(result, "stopped: " + stop, "parada: " + stop);
       break;
     }
-    if (options.progress && !options.progress((tick + 1.0) / ticks)) {
-      ended(result, "interrupted", "interrumpida");
+    const bool wanted = !options.progress || options.progress((tick + 1.0) / ticks);
+    if (!wanted || (options.stop && options.stop())) {
+      ended(result, kInterrupted, "interrumpida");
       break;
     }
     pace.wait_until(time_s);
@@ -243,10 +267,11 @@ Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
     result.contacts.fastest_mps = std::max(result.contacts.fastest_mps, truth.fastest_contact_mps);
   }
   result.digest = course->digest();
+  result.component_digests = course->component_digests();
   result.experience = course->controllers().front()->experience();
   judge(prepared.experiment, result);
   if (options.learned) options.learned(result.experience);
-  if (auto finished = recording->finish(result); !finished) return tl::unexpected<Error>(finished.error());
+  if (auto finished = recording->finish(result); !finished) result.record_error = finished.error();
   return result;
 }
 

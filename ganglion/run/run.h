@@ -16,6 +16,8 @@ struct RunOptions {
   std::vector<ModuleExperience> experience;  ///< What every controller starts with.
   /// Called between ticks with the share done in [0, 1]; returns false to end the run early.
   std::function<bool(double)> progress;
+  /// Asked between ticks, those of the run on open ground included; true ends the run early.
+  std::function<bool()> stop;
   /// Called when a goal was concluded and at the end, with what robot 0 has learned.
   std::function<void(const std::vector<ModuleExperience>&)> learned;
 };
@@ -28,19 +30,29 @@ struct Contacts {
 /// What came of one run.
 struct RunResult {
   std::uint64_t seed = 0;
-  bool success = false;
+  bool success = false;   ///< Never of a run that was interrupted.
   std::string reason;     ///< "duration over", and the criteria that were not met.
   std::string reason_es;  ///< The same in Spanish.
   std::string digest;
+  /// Of each component alone, "robot0/escape", and of each robot's way, "robot0/@truth"; of the first kDigestedRobots.
+  std::vector<std::pair<std::string, std::string>> component_digests;
   Contacts contacts;  ///< Of all robots.
   Measures measures;  ///< Of robot 0; with several robots the worst of each is not taken: see docs/manual/run.md.
   std::vector<std::string> files;
+  std::optional<Error> record_error;         ///< The run was carried out, but its file is not whole.
   std::vector<ModuleExperience> experience;  ///< Of robot 0 at the end.
 };
 
 /// Carries out one run. Fails where a component refuses its parameters, the robot finds no place, or the file cannot be
-/// written. The result depends on the experiment, the experience and the seed only.
+/// made. A disk that fills up on the way loses the file's end, not the result. The result depends on the experiment,
+/// the experience and the seed only; that of an interrupted run also on when it was.
 Result<RunResult> run(const Prepared& prepared, const RunOptions& options);
+
+/// The reason of a run that `progress` or `stop` ended, before the criteria it did not meet.
+inline constexpr std::string_view kInterrupted = "interrupted";
+
+/// Robots whose components' digests a run tells one by one: enough to compare by, and no burden on a swarm's run file.
+inline constexpr std::uint32_t kDigestedRobots = 100;
 
 /// Name of the experience a run started from, among the attachments of its file.
 inline constexpr std::string_view kExperienceAttachment = "experience";

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <limits>
 
+#include "ganglion/base/file.h"
+#include "ganglion/record/recover.h"
 #include "ganglion/record/run_recorder.h"
 
 namespace ganglion {
@@ -41,6 +43,16 @@ Result<void> write_empty_run(const std::filesystem::path& path) {
   return recorder->finish({});
 }
 
+/// The full run cut in the middle, and what is saved of it.
+Result<void> write_recovered_run(const std::filesystem::path& full, const std::filesystem::path& path) {
+  const auto bytes = read_file(full);
+  if (!bytes) return tl::unexpected(bytes.error());
+  const auto saved = recover_run(std::string_view(*bytes).substr(0, bytes->size() / 2), full.string(), path);
+  if (!saved) return tl::unexpected(saved.error());
+  std::printf("saved %llu chunks\n", static_cast<unsigned long long>(saved->chunks));
+  return {};
+}
+
 }  // namespace
 }  // namespace ganglion
 
@@ -48,7 +60,8 @@ int main(int count, char** words) {
   if (count != 2) return 2;
   const std::filesystem::path folder = words[1];
   for (const auto& outcome :
-       {ganglion::write_full_run(folder / "full.mcap"), ganglion::write_empty_run(folder / "empty.mcap")}) {
+       {ganglion::write_full_run(folder / "full.mcap"), ganglion::write_empty_run(folder / "empty.mcap"),
+        ganglion::write_recovered_run(folder / "full.mcap", folder / "recovered.mcap")}) {
     if (outcome) continue;
     std::fprintf(stderr, "%s\n", outcome.error().text().c_str());
     return 1;

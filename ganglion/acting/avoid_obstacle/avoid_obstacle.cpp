@@ -115,6 +115,30 @@ constexpr std::array kParameters = {
                         .max = 1,
                         .help = {"Least duty of the turn while committed", "Ciclo mínimo del giro comprometido"},
                         .ours = true},
+    ParameterDescriptor{.name = "commit_reversals",
+                        .type = ParameterType::Integer,
+                        .preset = 3,
+                        .min = 1,
+                        .max = 1000,
+                        .help = {"Commits itself, too, once the freer side has changed so often",
+                                 "También se compromete cuando el lado más libre ha cambiado tantas veces"},
+                        .ours = true},
+    ParameterDescriptor{.name = "side_memory_s",
+                        .unit = "s",
+                        .preset = 30,
+                        .min = 0,
+                        .max = 3600,
+                        .help = {"For so long it takes the side of last time where both are about equal",
+                                 "Durante este tiempo toma el lado de la última vez si ambos son casi iguales"},
+                        .ours = true},
+    ParameterDescriptor{.name = "undecided_m",
+                        .unit = "m",
+                        .preset = 0.14,
+                        .min = 0,
+                        .max = 10,
+                        .help = {"Both sides are about equal while they differ by less than this",
+                                 "Ambos lados son casi iguales si difieren en menos que esto"},
+                        .ours = true},
     ParameterDescriptor{.name = "one_sonar_share",
                         .preset = 0.5,
                         .min = 0,
@@ -141,6 +165,9 @@ Result<AvoidObstacleConfig> AvoidObstacleConfig::from(const Parameters& paramete
   config.commit_range_m = parameters.real("commit_range_m");
   config.commit_s = parameters.real("commit_s");
   config.min_turn_duty = parameters.real("min_turn_duty");
+  config.commit_reversals = parameters.integer("commit_reversals");
+  config.side_memory_s = parameters.real("side_memory_s");
+  config.undecided_m = parameters.real("undecided_m");
   config.one_sonar_share = parameters.real("one_sonar_share");
   if (!(config.stop_range_m < config.commit_range_m && config.commit_range_m <= config.trigger_range_m)) {
     return fail(ErrorCode::BadParameter,
@@ -195,11 +222,31 @@ Command AvoidObstacle::recommended(const Feedback& feedback) noexcept {
 
 void AvoidObstacle::commit(bool near, bool too_near, double difference_m, double now_s) noexcept {
   if (near) {
-    if (side_ == 0 && too_near) side_ = difference_m < 0 ? -1 : 1;
+    count_reversal(difference_m);
+    const bool swings = reversals_ >= config_.commit_reversals;
+    if (side_ == 0 && (too_near || swings)) side_ = side_to_take(difference_m, now_s);
     committed_until_s_ = now_s + config_.commit_s;
   } else if (now_s >= committed_until_s_) {
     side_ = 0;
+    leaning_ = 0;
+    reversals_ = 0;
   }
+  if (side_ == 0) return;
+  last_side_ = side_;
+  remembered_until_s_ = now_s + config_.side_memory_s;
+}
+
+void AvoidObstacle::count_reversal(double difference_m) noexcept {
+  if (std::fabs(difference_m) < config_.straight_m) return;
+  const double freer = difference_m < 0 ? -1 : 1;
+  if (freer == -leaning_) ++reversals_;
+  leaning_ = freer;
+}
+
+double AvoidObstacle::side_to_take(double difference_m, double now_s) const noexcept {
+  const bool remembers = last_side_ != 0 && now_s < remembered_until_s_;
+  if (remembers && std::fabs(difference_m) < config_.undecided_m) return last_side_;
+  return difference_m < 0 ? -1 : 1;
 }
 
 Command AvoidObstacle::turn_and_go(double nearest_m, double difference_m, double share) noexcept {

@@ -20,6 +20,9 @@ struct AvoidObstacleConfig {
   double commit_range_m = 0.25;
   double commit_s = 2.0;
   double min_turn_duty = 0.3;
+  int commit_reversals = 3;
+  double side_memory_s = 30;
+  double undecided_m = 0.14;
   double one_sonar_share = 0.5;
 
   static Result<AvoidObstacleConfig> from(const Parameters& parameters);
@@ -37,10 +40,12 @@ struct AvoidObstacleConfig {
 /// Source    Alonso, "Desarrollo de un robot con arquitectura de subsuncion (robot Nimrod)", section 3 and subroutines
 ///           EVITAR, AJUSTE, AVANCE of section 5. Gain: 3 servo counts of 1200 for each centimetre.
 /// Differs   recommended is continuous: the speed ahead falls with |x| and with the nearest range instead of stopping
-///           between the bands; within commit_range_m it commits to one side until it is clear and commit_s have
-///           passed, since the comparison alone swings to and fro in a corner (all ours). listing is the printed
-///           program, a dead sonar reading 0 m included. Its motor names are taken as swapped, or it would turn towards
-///           obstacles.
+///           between the bands; within commit_range_m, or when the freer side has changed commit_reversals times, it
+///           commits to one side until it is clear and commit_s have passed, since the comparison alone swings to and
+///           fro in a corner and before a post. Where both sides are about equal it commits to the side of last time:
+///           in a pocket it then looks all round instead of shuttling between the two ends (all ours). listing is the
+///           printed program, a dead sonar reading 0 m included. Its motor names are taken as swapped, or it would turn
+///           towards obstacles.
 class AvoidObstacle final : public ActingModule {
  public:
   explicit AvoidObstacle(const AvoidObstacleConfig& config) noexcept : config_(config) {}
@@ -54,12 +59,18 @@ class AvoidObstacle final : public ActingModule {
   Command listing(const Feedback& feedback) const noexcept;
   Command recommended(const Feedback& feedback) noexcept;
   void commit(bool near, bool too_near, double difference_m, double now_s) noexcept;
+  void count_reversal(double difference_m) noexcept;
+  double side_to_take(double difference_m, double now_s) const noexcept;
   Command turn_and_go(double nearest_m, double difference_m, double share) noexcept;
 
   AvoidObstacleConfig config_;
   bool straight_ = false;
   double side_ = 0;
   double committed_until_s_ = 0;
+  double leaning_ = 0;  ///< Side that was clearly freer last, in this encounter.
+  int reversals_ = 0;   ///< How often that changed.
+  double last_side_ = 0;
+  double remembered_until_s_ = 0;
 };
 
 extern const ActingModuleKind avoid_obstacle_kind;

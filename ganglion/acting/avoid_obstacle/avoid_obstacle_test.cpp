@@ -141,6 +141,48 @@ TEST(AvoidObstacle, KeepsTurningToOneSideInACorner) {
   EXPECT_LT(turn_of(step(bench, 0.39, 0.20)), 0);
 }
 
+// A post straight ahead, at 0.35 m: the readings change over as it turns a little.
+TEST(AvoidObstacle, CommitsItselfAfterSwingingThreeTimes) {
+  ActingBench bench(avoid_obstacle_kind);
+  EXPECT_GT(turn_of(step(bench, 0.35, 1.70)), 0);
+  EXPECT_LT(turn_of(step(bench, 1.70, 0.35)), 0);
+  EXPECT_EQ(turn_of(step(bench, 0.35, 0.36)), 0);  // about equal: no change of side
+  EXPECT_GT(turn_of(step(bench, 0.35, 1.70)), 0);
+  EXPECT_EQ(bench.out("side"), 0);
+  EXPECT_LT(turn_of(step(bench, 1.70, 0.35)), 0);  // the third time
+  EXPECT_EQ(bench.out("side"), -1);
+  EXPECT_DOUBLE_EQ(turn_of(step(bench, 0.35, 1.70)), -0.3);
+}
+
+TEST(AvoidObstacle, CountsSwingsAnewAfterAClearStretch) {
+  ActingBench bench(avoid_obstacle_kind);
+  step(bench, 0.35, 1.70);
+  step(bench, 1.70, 0.35);
+  step(bench, 0.35, 1.70);
+  for (int i = 0; i < 21; ++i) step(bench, 1, 1);  // longer than commit_s
+  step(bench, 1.70, 0.35);
+  EXPECT_EQ(bench.out("side"), 0);
+}
+
+// The two ends of a niche are alike: turning once right, once left it would never look at the opening between them.
+TEST(AvoidObstacle, TurnsAsLastTimeWhereBothSidesAreAlike) {
+  ActingBench bench(avoid_obstacle_kind);
+  const auto leave = [&bench](int ticks) {
+    for (int i = 0; i < ticks; ++i) step(bench, 1, 1);
+  };
+  step(bench, 0.20, 0.60);  // right, plainly
+  leave(50);
+  ASSERT_EQ(bench.out("side"), 0);
+  step(bench, 0.25, 0.20);
+  EXPECT_EQ(bench.out("side"), 1);  // 5 cm tell nothing: as last time
+  leave(50);
+  step(bench, 0.60, 0.20);
+  EXPECT_EQ(bench.out("side"), -1);  // the left is plainly freer
+  leave(400);                        // longer than side_memory_s and commit_s
+  step(bench, 0.20, 0.25);
+  EXPECT_EQ(bench.out("side"), 1);
+}
+
 // Row 13.
 TEST(AvoidObstacle, IsInactiveWithADeadSonarInTheListing) {
   EXPECT_EQ(first(0.30, kNan, "listing").kind, CommandKind::Inactive);  // distance 0: escape has it

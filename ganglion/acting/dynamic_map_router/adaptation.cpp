@@ -135,9 +135,12 @@ void DynamicMapRouter::note_arrival(const RouteStep& step) noexcept {
 void DynamicMapRouter::note_failure(const RouteStep& step, bool untouched) noexcept {
   const Blame found = blame(map_, step);
   const auto certain = untouched ? grid::FailureCause::Untouched : grid::FailureCause::Cell;
-  map_.fail(found.cell, now_, found.certain ? certain : grid::FailureCause::Unclear);
-  if (!found.certain) map_.close_diagonal(step.from, step.direction);
   ++failures_;
+  if (found.certain) return map_.fail(found.cell, now_, certain);
+  // Nobody knows yet that an unexplored cell is to blame: calling it occupied would close free ground to secure routes.
+  const grid::Cell* cell = map_.find(found.cell);
+  if (cell != nullptr && cell->label != Label::Unexplored) map_.fail(found.cell, now_, grid::FailureCause::Unclear);
+  map_.fail_diagonal(step.from, step.direction);
 }
 
 void DynamicMapRouter::expected_feedback(std::span<double> appraisal) const noexcept {

@@ -45,6 +45,12 @@ std::string_view fault_in(const DynamicMapRouterConfig& config) noexcept {
   if (risk.inhibition_base > 1000 || risk.inhibition_span > 1000) return "inhibitions must be in [0, 1000] ticks";
   const double weight = config.price.risk_weight;
   if (!(weight >= 0 && weight <= 1000)) return "risk_weight must be in [0, 1000]";
+  const grid::UnexploredRule& unexplored = config.price.unexplored;
+  if (!ratio(unexplored.open_risk) || !ratio(unexplored.beside_risk) || !ratio(unexplored.between_risk)) {
+    return "open_risk, beside_risk and between_risk must be in [0, 1)";
+  }
+  if (!(unexplored.weight >= 0 && unexplored.weight <= 1000)) return "unexplored_weight must be in [0, 1000]";
+  if (unexplored.wall_reach_cells < 1 || unexplored.wall_reach_cells > 64) return "wall_reach_cells must be in [1, 64]";
   if (config.rounds < 1 || config.dynamic_tries < 1 || config.dynamic_tries > 100 || config.go_back_steps < 0 ||
       config.go_back_steps > 100000) {
     return "rounds must be >= 1, dynamic_tries in [1, 100], go_back_steps in [0, 100000]";
@@ -73,7 +79,9 @@ void DynamicMapRouter::grow() {
 }
 
 Result<void> DynamicMapRouter::load(std::uint32_t version, std::span<const ExperiencePart> parts) {
-  if (version != 1) return fail(ErrorCode::Unsupported, "saved map of version {}, this program reads 1", version);
+  if (version != 1 && version != 2) {
+    return fail(ErrorCode::Unsupported, "saved map of version {}, this program reads 1 and 2", version);
+  }
   auto map = map_.loaded(parts);
   if (!map) return tl::unexpected<Error>(map.error());
   map_ = std::move(*map);

@@ -38,7 +38,9 @@ struct DynamicMapRouterConfig {
 /// Differs   The paper's two definitions of reliance become one risk; its numbers are lost, so all are ours. A round
 ///           gives each cell a limited number of attempts, or else a sealed goal would be besieged for ever. A failed
 ///           diagonal step is blamed on the likeliest of its three cells. A step without contact that does not arrive
-///           fails as well, but counts for half an attempt. A robot that reports no cost maps all the same.
+///           fails as well, but counts for half an attempt. While several unexplored cells may be to blame, none is
+///           called occupied. Unexplored ground is priced by what stands around it (UnexploredRule), not free. A robot
+///           that reports no cost maps all the same.
 class DynamicMapRouter final : public ActingModule {
  public:
   enum class Phase { Idle, Secure, Feasible, GoBack, Wait };
@@ -62,7 +64,7 @@ class DynamicMapRouter final : public ActingModule {
   void grow() override;
   std::span<const Command> plan() const noexcept override;
   void show(Exhibition& exhibition) const override;
-  std::uint32_t experience_version() const noexcept override { return 1; }
+  std::uint32_t experience_version() const noexcept override { return 2; }
   void save(std::vector<ExperiencePart>& parts) const override { map_.save(parts); }
   Result<void> load(std::uint32_t version, std::span<const ExperiencePart> parts) override;
 

@@ -54,7 +54,7 @@ TEST(DynamicMapRouter, KeepsItsMapWhenWhatItShallLoadIsDamaged) {
   drive.module().save(parts);
   parts.back().bytes.pop_back();
   EXPECT_FALSE(drive.module().load(1, parts));
-  EXPECT_FALSE(drive.module().load(2, {}));
+  EXPECT_FALSE(drive.module().load(3, {}));
   EXPECT_EQ(drive.module().map().explored(), 4);
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 using subsumption::Preset;
 
-enum Input : std::size_t { kLeft, kRight, kHeading };
+enum Input : std::size_t { kLeft, kRight, kHeading, kSide };
 enum Output : std::size_t { kStuck, kPhase };
 
 constexpr double kListingTurn_s = 0.8;  // 20 pulses of 40 ms, 200 counts of 1200
@@ -31,6 +31,13 @@ constexpr std::array kPorts = {
                    .type = ValueType::Circular,
                    .required = false,
                    .help = {"Yaw, to measure a half turn by", "Rumbo, para medir la media vuelta"}},
+    PortDescriptor{.name = "side",
+                   .type = ValueType::Discrete,
+                   .required = false,
+                   .help = {"Side to turn to whatever the sonars say: -1 left, 1 right; 0 leaves it to them. Of "
+                            "AvoidObstacle: \"avoid.side@previous\"",
+                            "Lado al que girar digan lo que digan los sonares: -1 izquierda, 1 derecha; 0 lo deja a "
+                            "ellos. De AvoidObstacle: \"avoid.side@previous\""}},
     subsumption::kTracksPort,
     PortDescriptor{.name = "stuck",
                    .role = PortRole::Output,
@@ -197,6 +204,8 @@ void Escape::measure_turn(const Feedback& feedback) noexcept {
 
 /// 1 to turn clockwise, -1 the other way. A dead side counts as free: the danger is where it was read.
 double Escape::freer_side(const Feedback& feedback) const noexcept {
+  if (feedback.value(kSide) < 0) return -1;
+  if (feedback.value(kSide) > 0) return 1;
   const double left_m = subsumption::comparable(feedback.value(kLeft), config_.max_range_m);
   const double right_m = subsumption::comparable(feedback.value(kRight), config_.max_range_m);
   return std::isnan(left_m) || left_m > right_m ? -1 : 1;

@@ -25,17 +25,17 @@ struct EscapeConfig {
 
 /// Backs off and turns away once something is too near. A behaviour: it needs no request and is inactive otherwise.
 ///
-/// Feedback  left, right: ranges of the front sonars [m]; heading [rad], optional.
+/// Feedback  left, right: ranges of the front sonars [m]; heading [rad], optional; side, optional: the side another
+///           behaviour turns to already.
 /// Command   tracks {left, right}, duty. Each part of the manoeuvre has a budget of time and a time to live, so that it
 ///           lasts as long at any tick; a part begins with a tick. Once begun it runs to its end, whatever is read.
 /// Output    stuck, from the beginning to the end of an escape that is one of many in a short time; phase.
 /// Missing   too close (-inf) triggers; of a dead sonar (NaN) the other decides; both dead: inactive.
 /// Source    Alonso, "Desarrollo de un robot con arquitectura de subsuncion (robot Nimrod)", section 3 and subroutine
 ///           ESCAPE of section 5: back 2.0 s, then clockwise 0.8 s at 1/6 (the text says 1.5 s).
-/// Differs   recommended turns towards the freer side (ours), clockwise where there is none, for 1.5 s and faster; when
-/// stuck, by
-///           180 deg: measured where heading is wired, else by half_turn_s. listing takes a dead sonar for one that
-///           reads 0 m, and so escapes for ever.
+/// Differs   recommended turns towards the wired side, or else the freer one (ours), clockwise where there is none, for
+///           1.5 s and faster; when stuck, by 180 deg: measured where heading is wired, else by half_turn_s. listing
+///           takes a dead sonar for one that reads 0 m, and so escapes for ever.
 class Escape final : public ActingModule {
  public:
   enum class Phase { Idle = 0, Back = 1, Turn = 2, HalfTurn = 3 };

@@ -111,6 +111,22 @@ TEST(Escape, TurnsTowardsTheFreerSide) {
   EXPECT_DOUBLE_EQ(turn(kNan, 0.05), -0.3);
 }
 
+// Avoiding has begun to turn one way: escape does not undo that.
+TEST(Escape, TurnsToTheWiredSideWhicheverIsFreer) {
+  const auto turn = [](double side) {
+    ActingBench bench(escape_kind);
+    bench.wire("side");
+    bench.set("side", side);
+    Command command{};
+    for (int i = 0; i <= 20; ++i) command = step(bench, 0.5, 0.05);
+    return command.values[0];
+  };
+  EXPECT_DOUBLE_EQ(turn(1), 0.3);
+  EXPECT_DOUBLE_EQ(turn(-1), -0.3);
+  EXPECT_DOUBLE_EQ(turn(0), -0.3);     // the left is freer
+  EXPECT_DOUBLE_EQ(turn(kNan), -0.3);  // nothing known of it
+}
+
 TEST(Escape, AlwaysTurnsClockwiseInTheListing) {
   ActingBench bench(escape_kind, {{"preset", "listing"}});
   Command command{};
@@ -207,7 +223,7 @@ TEST(Escape, RefusesParametersThatTheListingFixes) {
 }
 
 TEST(Escape, HasGoodHabitsOnAnyReadings) {
-  testing::expect_good_habits(escape_kind, {}, {"heading"}, 0.1);
+  testing::expect_good_habits(escape_kind, {}, {"heading", "side"}, 0.1);
   testing::expect_good_habits(escape_kind, {}, {}, 1.6);
   testing::expect_good_habits(escape_kind, {{"preset", "listing"}}, {}, 1.6);
 }

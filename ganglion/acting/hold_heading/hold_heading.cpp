@@ -12,7 +12,8 @@ using subsumption::Preset;
 enum Input : std::size_t { kHeading, kDisplacedBy, kLeft, kRight, kCourse };
 enum Output : std::size_t { kOriginal, kTarget, kError, kHeld, kBlind };
 
-constexpr double kInstant_s = 1e-6;  // rounding of times that were added up
+constexpr double kAlong_rad = 110 * kPi / 180;  // farther from the course a heading leads back, not along
+constexpr double kInstant_s = 1e-6;             // rounding of times that were added up
 
 float compass_deg(double yaw_rad) noexcept {
   return static_cast<float>(compass_deg_from_yaw(Angle::from_rad(yaw_rad)));
@@ -48,7 +49,7 @@ Command HoldHeading::recommended(const Feedback& feedback) noexcept {
   if (pending_) hold(heading_rad, feedback.tick);
   if (now_s < settled_s_) held_rad_ = heading_rad;
   const bool held = now_s < held_until_s_ - kInstant_s;
-  const double target_rad = held ? held_rad_ : course_rad_;
+  const double target_rad = held ? held_target_rad(now_s) : course_rad_;
   const double error_rad = wrap_rad(target_rad - heading_rad);
   const bool stands = share == 0 || std::isnan(course_rad_);
   publish(target_rad, error_rad, held, share == 0);
@@ -63,14 +64,26 @@ void HoldHeading::hold(double heading_rad, const Tick& tick) noexcept {
   struggle_s_ += tick.step_s;
   const double longest_s = std::max(config_.hold_s, config_.max_hold_s);
   held_rad_ = heading_rad;
+  held_from_s_ = tick.time_s;
   held_until_s_ = tick.time_s + std::clamp(config_.hold_growth * struggle_s_, config_.hold_s, longest_s);
   settled_s_ = tick.time_s + config_.settle_s;
+}
+
+/// What is held along an obstacle goes back to the course little by little beyond hold_s, so that the robot feels its
+/// way round. Out of a dead end it is held to its end: going back little by little would be a circle into it again.
+double HoldHeading::held_target_rad(double now_s) const noexcept {
+  const double sure_s = held_from_s_ + config_.hold_s;
+  const double back_rad = wrap_rad(course_rad_ - held_rad_);
+  if (now_s <= sure_s || !(std::fabs(back_rad) <= kAlong_rad)) return held_rad_;
+  const double gone = (now_s - sure_s) / (held_until_s_ - sure_s);  // held: the end lies after now
+  return wrap_rad(held_rad_ + config_.hold_return * gone * back_rad);
 }
 
 Command HoldHeading::without_heading(const Feedback& feedback, double share) const noexcept {
   const bool blind = share == 0 || feedback.tick.time_s - heading_s_ > config_.patience_s + kInstant_s;
   publish(kUnknown, kUnknown, false, blind);
-  return blind ? subsumption::tracks(0, 0) : last_;
+  if (!blind) return last_;
+  return subsumption::tracks(share * config_.blind_share * config_.forward_duty, 0);
 }
 
 Command HoldHeading::steer(double error_rad, double share) const noexcept {

@@ -19,9 +19,11 @@ struct HoldHeadingConfig {
   double settle_s = 1.5;
   double hold_growth = 2.0;
   double max_hold_s = 48;
+  double hold_return = 0;
   double calm_s = 5.0;
   double agreement_deg = 5;
   double patience_s = 0.5;
+  double blind_share = 0.5;
   double slow_range_m = 0.60;
   double least_share = 0.3;
   double one_sonar_share = 0.5;
@@ -38,16 +40,18 @@ struct HoldHeadingConfig {
 /// Command   tracks {left, right}, duty; a turn proportional to the error of heading, slower ahead the larger it is.
 /// Output    original and target [rad] (NaN until known): the course wanted in the end, and now; error = target -
 /// heading
-///           [rad], counter-clockwise; held: 1 while a held course is steered; blind: 1 while it stops for want of
-///           readings.
-/// Missing   no heading: the last command for patience_s, then it stops and is blind. Sonars, where wired: one dead
+///           [rad], counter-clockwise; held: 1 while a held course is steered; blind: 1 while it goes without a
+///           heading, or stops for want of sonars.
+/// Missing   no heading: the last command for patience_s, then straight on at blind_share of the speed ahead, and it is
+///           blind: what avoids and escapes still works. Sonars, where wired: one dead
 ///           (NaN): one_sonar_share of the speed ahead; all dead: it stops and is blind. Nothing in range: full speed.
 /// Source    Alonso, "Desarrollo de un robot con arquitectura de subsuncion (robot Nimrod)", sections 3, 8 and the
 ///           program of section 5 (SP_RUMBO, RUMBO, CONTADOR; NAVEGAR, AJUSTE, AVANCE). Gain: 3 of 1200 counts per deg.
 /// Differs   recommended (all of this ours) wraps the error, never stands between the bands and learns the course from
 ///           three readings that agree. It holds for hold_s, or hold_growth times as long as it was displaced since it
 ///           was last calm, since a course into a corner else leads back there for ever; for settle_s the held course
-///           follows the heading, as a damped compass is behind after a turn. listing is the printed program: compass
+///           follows the heading, as a damped compass is behind after a turn. With hold_return what is held along an
+///           obstacle goes back to the course little by little after hold_s. listing is the printed program: compass
 ///           degrees without wrap, the first heading is the course, 15 cycles of a held course (the text says 10),
 ///           bursts of 0.04 and 0.2 s; a heading that is not there keeps its last value, 0 deg at first; sonars are not
 ///           looked at.
@@ -73,6 +77,7 @@ class HoldHeading final : public ActingModule {
   bool new_reading(const Feedback& feedback) noexcept;
   void hold(double heading_rad, const Tick& tick) noexcept;
   void find_course(const Feedback& feedback, double heading_rad) noexcept;
+  double held_target_rad(double now_s) const noexcept;
   double sonar_share(const Feedback& feedback) const noexcept;
   void publish(double target_rad, double error_rad, bool held, bool blind) const noexcept;
 
@@ -81,6 +86,7 @@ class HoldHeading final : public ActingModule {
   CourseLearner learner_;
   double course_rad_ = kUnknown;
   double held_rad_ = kUnknown;
+  double held_from_s_ = -kForever;
   double held_until_s_ = -kForever;
   double settled_s_ = -kForever;   ///< When the held course follows the heading no longer.
   double struggle_s_ = 0;          ///< Time of being displaced since it was calm.

@@ -258,6 +258,31 @@ TEST(HoldHeading, HoldsLongerTheLongerItWasDisplaced) {
   EXPECT_EQ(held_after(1), 30);  // forgotten
 }
 
+// Displaced for 10 s it holds for 20 s: 3 s fully, and then back to the course at 0 deg in the 17 s that are left.
+TEST(HoldHeading, ComesBackLittleByLittleWhereItIsToldTo) {
+  Recommended robot({{"hold_return", 1.0}});
+  for (int i = 0; i < 100; ++i) robot.step(60, true);
+  const auto target_deg_after = [&robot](int ticks) {
+    for (int i = 0; i < ticks; ++i) robot.step(60);
+    return robot.bench().out("target") * 180 / kPi;
+  };
+  EXPECT_NEAR(target_deg_after(29), 60, 1e-9);
+  EXPECT_NEAR(target_deg_after(86), 30, 1e-9);  // 11.5 s: half of the rest
+  EXPECT_EQ(robot.bench().out("held"), 1);
+  EXPECT_NEAR(target_deg_after(85), 0, 1e-9);
+  EXPECT_EQ(robot.bench().out("held"), 0);
+}
+
+// More than 110 deg off the course: back little by little would be a circle into the same dead end.
+TEST(HoldHeading, LeavesADeadEndBeforeItComesBack) {
+  Recommended robot({{"hold_return", 1.0}});
+  for (int i = 0; i < 100; ++i) robot.step(150, true);
+  for (int i = 0; i < 199; ++i) robot.step(150);
+  EXPECT_NEAR(robot.bench().out("target") * 180 / kPi, 150, 1e-9);
+  robot.step(150);
+  EXPECT_NEAR(robot.bench().out("target"), 0, 1e-9);
+}
+
 TEST(HoldHeading, HoldsTheFirstHeadingThatIsBackAfterADisplacement) {
   Recommended robot;
   robot.step(kNan, true);
@@ -305,7 +330,7 @@ TEST(HoldHeading, SlowsNearObstacles) {
   EXPECT_NEAR(forward_of(robot.step(0)), 1.0 / 3, 1e-12);
 }
 
-TEST(HoldHeading, KeepsOnForHalfASecondWithoutACompassThenStops) {
+TEST(HoldHeading, KeepsOnForHalfASecondWithoutACompassThenGoesStraightAtHalfSpeed) {
   Recommended robot;
   robot.step(20);
   for (int i = 1; i <= 5; ++i) {
@@ -313,14 +338,22 @@ TEST(HoldHeading, KeepsOnForHalfASecondWithoutACompassThenStops) {
     ASSERT_EQ(robot.bench().out("blind"), 0);
   }
   const Command command = robot.step(kNan);
-  EXPECT_EQ(command.values[0], 0);
-  EXPECT_EQ(command.values[1], 0);
+  EXPECT_NEAR(command.values[0], 0.5 / 3, 1e-12);
+  EXPECT_NEAR(command.values[1], 0.5 / 3, 1e-12);
+  EXPECT_EQ(robot.bench().out("blind"), 1);
+}
+
+TEST(HoldHeading, StandsWithoutACompassWhereItIsToldTo) {
+  Recommended robot({{"blind_share", 0.0}});
+  for (int i = 0; i < 7; ++i) robot.step(kNan);
+  EXPECT_EQ(forward_of(robot.step(kNan)), 0);
   EXPECT_EQ(robot.bench().out("blind"), 1);
 }
 
 TEST(HoldHeading, HasGoodHabitsOnAnyReadings) {
   testing::expect_good_habits(hold_heading_kind, {}, {"displaced_by", "left", "right"}, 0.1);
   testing::expect_good_habits(hold_heading_kind, {}, {"course"}, 0.1);
+  testing::expect_good_habits(hold_heading_kind, {{"hold_return", 1.0}}, {"displaced_by"}, 0.1);
   testing::expect_good_habits(hold_heading_kind, {{"preset", "listing"}}, {"displaced_by", "course"}, 1.6);
 }
 

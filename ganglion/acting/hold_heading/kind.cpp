@@ -54,7 +54,8 @@ constexpr std::array kPorts = {
     PortDescriptor{.name = "blind",
                    .role = PortRole::Output,
                    .type = ValueType::Discrete,
-                   .help = {"1 while it stops for want of readings", "1 mientras se detiene por falta de lecturas"}},
+                   .help = {"1 while it goes without a heading, or stops for want of sonars",
+                            "1 mientras va sin brújula o se detiene por falta de sonares"}},
 };
 
 constexpr std::array kParameters = {
@@ -108,6 +109,13 @@ constexpr std::array kParameters = {
                         .max = 3600,
                         .help = {"Longest time of holding", "Tiempo máximo de mantener"},
                         .ours = true},
+    ParameterDescriptor{.name = "hold_return",
+                        .preset = 0,
+                        .min = 0,
+                        .max = 1,
+                        .help = {"Share of the way back to the course that a held course goes after its first hold_s",
+                                 "Parte del regreso al rumbo que hace uno mantenido tras sus primeros hold_s"},
+                        .ours = true},
     ParameterDescriptor{.name = "calm_s",
                         .unit = "s",
                         .preset = 5.0,
@@ -131,6 +139,13 @@ constexpr std::array kParameters = {
                         .max = 60,
                         .help = {"Keeps the last command for so long without a heading",
                                  "Mantiene el último mando este tiempo sin brújula"},
+                        .ours = true},
+    ParameterDescriptor{.name = "blind_share",
+                        .preset = 0.5,
+                        .min = 0,
+                        .max = 1,
+                        .help = {"Share of the speed ahead, straight on, once the heading is lost; 0 = it stops",
+                                 "Parte de la velocidad, todo recto, cuando falta la brújula; 0 = se detiene"},
                         .ours = true},
     ParameterDescriptor{.name = "slow_range_m",
                         .unit = "m",
@@ -168,9 +183,11 @@ Result<HoldHeadingConfig> HoldHeadingConfig::from(const Parameters& parameters) 
   config.settle_s = parameters.real("settle_s");
   config.hold_growth = parameters.real("hold_growth");
   config.max_hold_s = parameters.real("max_hold_s");
+  config.hold_return = parameters.real("hold_return");
   config.calm_s = parameters.real("calm_s");
   config.agreement_deg = parameters.real("agreement_deg");
   config.patience_s = parameters.real("patience_s");
+  config.blind_share = parameters.real("blind_share");
   config.slow_range_m = parameters.real("slow_range_m");
   config.least_share = parameters.real("least_share");
   config.one_sonar_share = parameters.real("one_sonar_share");

@@ -13,7 +13,7 @@ namespace ganglion::mcap {
 /// nothing is written after it: what is on the disk stays a good beginning.
 class OutputFile {
  public:
-  /// Makes missing parent folders; replaces an old file. Fails with Unreadable.
+  /// Makes missing parent folders; replaces an old file. Fails with Unwritable.
   static Result<OutputFile> create(const std::filesystem::path& path);
   OutputFile(OutputFile&&) noexcept;
   OutputFile& operator=(OutputFile&&) noexcept;

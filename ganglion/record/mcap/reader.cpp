@@ -196,6 +196,7 @@ Result<void> Parser::chunk(std::string_view content) {
   if (auto outcome = chunk_records(*records, found); !outcome) return outcome;
   defined_.schemas.merge(found.schemas);
   defined_.channels.merge(found.channels);
+  ++content_.chunks;
   for (const mcap::Message& one : batch_) deliver(one);
   return {};
 }

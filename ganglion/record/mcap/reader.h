@@ -23,6 +23,7 @@ struct McapContent {
   std::map<std::uint16_t, mcap::Channel> channels;
   std::vector<mcap::Attachment> attachments;
   std::vector<mcap::Metadata> metadata;
+  std::uint64_t chunks = 0;    ///< Whole ones; without a sink they are not looked at, and 0.
   std::uint64_t messages = 0;  ///< Without a sink: as the summary states, 0 where there is none.
   std::vector<std::string>
       damages;  ///< What Recover::Yes passed over, in the order of the file; empty = the file is whole.

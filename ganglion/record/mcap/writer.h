@@ -35,7 +35,7 @@ struct McapWriterOptions {
 /// once.
 class McapWriter {
  public:
-  /// Fails with Unreadable when the file cannot be made.
+  /// Fails with Unwritable when the file cannot be made.
   static Result<McapWriter> create(const std::filesystem::path& path, McapWriterOptions options = {});
   McapWriter(McapWriter&&) noexcept = default;
   McapWriter& operator=(McapWriter&&) = delete;

@@ -66,7 +66,7 @@ TEST_F(McapWriting, TellsAFullDiskAndCarriesOnWithoutIt) {
   for (std::uint32_t i = 0; i < 10; ++i) writer.write(channel, i, i, i, "data");
   const auto closed = writer.close();
   ASSERT_FALSE(closed);
-  EXPECT_EQ(closed.error().code, ErrorCode::Unreadable);
+  EXPECT_EQ(closed.error().code, ErrorCode::Unwritable);
   EXPECT_NE(closed.error().text().find("/dev/full: cannot be written: No space left"), std::string::npos);
 }
 

@@ -73,6 +73,9 @@ void read_described(Table& root, RobotDescription& description) {
     }
     root.known(key);
   }
+  for (const char* key : {"sensation", "command"}) {  // either of them makes it this form: to editors it is required
+    if (root.has(key)) root.asks(key, {.form = config::Asked::Form::Tables, .required = true});
+  }
   std::vector<std::string> sensations, commands;
   each_table(root, "sensation", [&](Table& table) { read_sensation(table, sensations, description); });
   each_table(root, "command", [&](Table& table) { read_command(table, commands, description); });

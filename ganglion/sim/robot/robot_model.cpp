@@ -19,7 +19,10 @@ const Kind<Product>* find_kind(Table& table, std::span<const Kind<Product>* cons
   const std::string name = table.text("kind");
   std::vector<std::string> names;
   for (const auto* kind : kinds) {
-    if (!name.empty() && (kind->descriptor.name == name || kind->descriptor.paper_name == name)) return kind;
+    if (!name.empty() && (kind->descriptor.name == name || kind->descriptor.paper_name == name)) {
+      table.is_of(kind->descriptor);
+      return kind;
+    }
     names.emplace_back(kind->descriptor.name);
   }
   if (table.has("kind") && !name.empty()) {
@@ -72,9 +75,14 @@ void read_drive(Table table, const SimKinds& kinds, RobotModel& model) {
 }
 
 void describe_channels(const SensorModel& sensor, const Sensor& device, RobotDescription& description) {
-  std::size_t n = 0;
+  std::size_t n = 0, values = 0, at = 0;
+  for (const PortDescriptor& port : sensor.kind->descriptor.ports) values += static_cast<std::size_t>(port.size);
+  std::vector<double> broken(values);
+  device.broken(broken);
   for (const PortDescriptor& port : sensor.kind->descriptor.ports) {
     const Limits limits = device.limits(n++);
+    const double dead = broken[at];
+    at += static_cast<std::size_t>(port.size);
     description.sensations.push_back({.name = sensor.id + "." + std::string(port.name),
                                       .unit = std::string(port.unit),
                                       .type = port.type,
@@ -82,7 +90,8 @@ void describe_channels(const SensorModel& sensor, const Sensor& device, RobotDes
                                       .min = limits.min,
                                       .max = limits.max,
                                       .period_s = sensor.period_s,
-                                      .mount = sensor.mount});
+                                      .mount = sensor.mount,
+                                      .dead = dead});
   }
 }
 
@@ -144,11 +153,12 @@ void read_simulated(Table& root, const SimKinds& kinds, RobotModel& model) {
   each_table(root, "sensor", [&](Table& table) { read_sensor(table, kinds, ids, model); });
 }
 
-std::shared_ptr<const RobotModel> read_robot(const config::Value& value, const SimKinds& kinds, Problems& problems) {
+std::shared_ptr<const RobotModel> read_robot(const config::Value& value, const SimKinds& kinds, Problems& problems,
+                                             config::Outline* outline) {
   const std::size_t before = problems.size();
   auto model = std::make_shared<RobotModel>();
   {
-    Table root(value, "", problems);
+    Table root(value, "", problems, outline);
     check_format(root);
     model->description.name = root.text("name");
     model->description.tick_s = root.number("tick_s", 0.1, Range{1e-3, 60});
@@ -177,18 +187,18 @@ std::shared_ptr<const RobotModel> load_robot(const std::filesystem::path& path, 
     const auto applied = config::apply(*value, override);
     if (!applied) problems.add(applied.error());
   }
-  auto model = read_robot(*value, kinds, problems);
+  auto model = read_robot(*value, kinds, problems, nullptr);
   return problems.size() == before ? model : nullptr;
 }
 
 std::shared_ptr<const RobotModel> parse_robot(std::string_view text, const std::string& file_name,
-                                              const SimKinds& kinds, Problems& problems) {
+                                              const SimKinds& kinds, Problems& problems, config::Outline* outline) {
   const auto value = config::parse(text, file_name);
   if (!value) {
     problems.add(value.error());
     return nullptr;
   }
-  return read_robot(*value, kinds, problems);
+  return read_robot(*value, kinds, problems, outline);
 }
 
 std::optional<RobotDescription> load_description(const std::filesystem::path& path, const SimKinds& kinds,

@@ -92,9 +92,10 @@ struct RobotModel {
 ///     yaw_deg` and `[[command]] name, elements, units, min, max, safe`.
 std::shared_ptr<const RobotModel> load_robot(const std::filesystem::path& path, const SimKinds& kinds,
                                              std::span<const config::Override> overrides, Problems& problems);
-/// The same from a text.
+/// The same from a text. `outline` takes down what was asked.
 std::shared_ptr<const RobotModel> parse_robot(std::string_view text, const std::string& file_name,
-                                              const SimKinds& kinds, Problems& problems);
+                                              const SimKinds& kinds, Problems& problems,
+                                              config::Outline* outline = nullptr);
 /// Only what a robot.toml of either form describes, to check a controller against.
 std::optional<RobotDescription> load_description(const std::filesystem::path& path, const SimKinds& kinds,
                                                  std::span<const config::Override> overrides, Problems& problems);

@@ -26,8 +26,6 @@ Material read_material(config::Table& table) {
 }
 
 std::optional<Box2> read_box(config::Table& table, std::string_view key) {
-  table.known(key);
-  if (!table.has(key)) return std::nullopt;
   const auto box = table.numbers(key, {}, 4, kCoordinate);
   if (box.size() != 4) return std::nullopt;
   if (box[0] < box[2] && box[1] < box[3]) return Box2{{box[0], box[1]}, {box[2], box[3]}};
@@ -192,9 +190,9 @@ void read_map(config::Table& root, GroundPlan& plan, Problems& problems) {
   }
 }
 
-GroundPlan read_plan(const config::Value& value, Problems& problems) {
+GroundPlan read_plan(const config::Value& value, Problems& problems, config::Outline* outline) {
   GroundPlan plan;
-  config::Table root(value, "", problems);
+  config::Table root(value, "", problems, outline);
   check_format(root);
   plan.place = {value.place().file};
   plan.name = root.text("name", "");
@@ -235,12 +233,13 @@ GroundPlan load_plan(const std::filesystem::path& path, std::span<const config::
   for (const config::Override& override : overrides) {
     if (auto applied = config::apply(*value, override); !applied) problems.add(applied.error());
   }
-  return read_plan(*value, problems);
+  return read_plan(*value, problems, nullptr);
 }
 
-GroundPlan parse_plan(std::string_view text, const std::string& file_name, Problems& problems) {
+GroundPlan parse_plan(std::string_view text, const std::string& file_name, Problems& problems,
+                      config::Outline* outline) {
   const auto value = config::parse(text, file_name);
-  if (value) return read_plan(*value, problems);
+  if (value) return read_plan(*value, problems, outline);
   problems.add(value.error());
   return {};
 }

@@ -56,6 +56,10 @@ bool edges_meet(Vector2 a, Vector2 b, Vector2 c, Vector2 d) noexcept {
 }  // namespace
 
 std::vector<Vector2> read_points(config::Table& table, std::string_view key, std::size_t least) {
+  table.asks(key, {.form = config::Asked::Form::Points,
+                   .required = true,
+                   .range = {-kMaxCoordinate_m, kMaxCoordinate_m},
+                   .least = least});
   const config::Value* found = table.value(key);
   if (found == nullptr) {
     table.problem(key, ErrorCode::MissingKey, "{} is missing: write {} = [[x, y], ...]", key, key);

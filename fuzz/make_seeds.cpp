@@ -1,0 +1,123 @@
+// make_seeds EXPERIMENTS FOLDER: good inputs for the fuzzers to start from, in FOLDER/toml, FOLDER/map and FOLDER/mcap.
+#include <cstdio>
+
+#include "ganglion/base/file.h"
+#include "ganglion/record/mcap/fields.h"
+#include "ganglion/record/run_recorder.h"
+
+namespace ganglion {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool good = true;
+
+void keep(const fs::path& path, std::string_view bytes) {
+  const auto written = write_file(path, bytes);
+  if (written) return;
+  std::fprintf(stderr, "%s\n", written.error().text().c_str());
+  good = false;
+}
+
+/// Which reader of fuzz_toml.cpp takes the file.
+char reader_of(const std::string& name) {
+  if (name.starts_with("experiment")) return 0;
+  if (name.starts_with("controller")) return 1;
+  return name.starts_with("robot") ? 2 : 3;
+}
+
+void seed_toml(const fs::path& experiments, const fs::path& folder) {
+  for (const auto& entry : fs::recursive_directory_iterator(experiments)) {
+    if (entry.path().extension() != ".toml") continue;
+    const std::string name = entry.path().filename().string();
+    const std::string of = entry.path().parent_path().filename().string();
+    keep(folder / (of + "_" + name), reader_of(name) + read_file(entry.path()).value_or(""));
+  }
+}
+
+void seed_map(const fs::path& folder) {
+  const std::string plain = "P2\n# a map\n3 2\n255\n254 254 0\n205 254 0\n";
+  const std::string binary = std::string("P5\n4 2\n255\n") + "\xfe\xfe\xfe\x01\x02\x03\xcd\xcd";
+  const std::string deep =
+      std::string("P5 2 2 65535\n") + std::string("\0\1\0\xc8\0\0\0\x10", 8);  // dark: all below 256
+  const std::string yaml =
+      "image: map.pgm\nresolution: 0.05\norigin: [-1.0, 2.0, 0.5]\nnegate: 0\noccupied_thresh: 0.65\n"
+      "free_thresh: 0.196\nmode: trinary\n";
+  const std::string listed =
+      "---\nimage: \"map.pgm\"  # note\norigin:\n  - 0\n  - 0\n  - 0\nresolution: 1e-1\n"
+      "negate: 1\noccupied_thresh: 0.5\nfree_thresh: 0.5\n";
+  keep(folder / "plain", '\0' + plain);
+  keep(folder / "binary", '\0' + binary);
+  keep(folder / "deep", '\0' + deep);
+  keep(folder / "yaml", '\1' + yaml);
+  keep(folder / "listed", '\1' + listed);
+  keep(folder / "both", '\2' + yaml + '\0' + binary);
+  keep(folder / "both_plain", '\2' + listed + '\0' + plain);
+}
+
+/// The records of a small run in a chunk that is neither packed nor checked, so that mutations reach the innermost
+/// fields.
+std::string unchecked_run() {
+  std::string inner_bytes, bytes(mcap::kMagic);
+  mcap::FieldWriter inner(inner_bytes), out(bytes);
+  auto record = inner.begin_record(mcap::Opcode::Channel);
+  inner.u16(1);
+  inner.u16(0);
+  for (const char* text : {"/notes", "json"}) inner.string(text);
+  inner.map({{"unit", "m"}});
+  inner.end_record(record);
+  record = inner.begin_record(mcap::Opcode::Message);
+  inner.u16(1);
+  inner.u32(0);
+  inner.u64(5);
+  inner.u64(5);
+  inner.bytes("{}");
+  inner.end_record(record);
+  record = out.begin_record(mcap::Opcode::Header);
+  out.string("");
+  out.string("seed");
+  out.end_record(record);
+  record = out.begin_record(mcap::Opcode::Metadata);
+  out.string(kRunMetadata);
+  out.map(to_fields(RunInfo{.name = "seed", .tick_s = 0.1}));
+  out.end_record(record);
+  record = out.begin_record(mcap::Opcode::Chunk);
+  out.u64(5);
+  out.u64(5);
+  out.u64(inner_bytes.size());
+  out.u32(0);
+  out.string("");
+  out.u64(inner_bytes.size());
+  out.bytes(inner_bytes);
+  out.end_record(record);
+  return bytes;
+}
+
+void seed_mcap(const fs::path& folder) {
+  keep(folder / "unchecked", unchecked_run());
+  auto recorder = RunRecorder::create(folder / "whole", {.name = "seed", .seed = 7, .tick_s = 0.1});
+  if (!recorder) {
+    good = false;
+    return;
+  }
+  recorder->attach("robot.toml", "format = 1\n");
+  const int table = recorder->add_table("/robot0/signals", std::vector<SignalColumn>{{"range", "m"}});
+  for (std::uint32_t tick = 0; tick < 6; ++tick) {
+    recorder->write_row(table, tick, 0.1 * tick, std::vector<double>{0.5 * tick});
+    recorder->write_json("/robot0/pose", "foxglove.PoseInFrame", 0.1 * tick, "{}");
+    if (tick == 2) recorder->flush();
+  }
+  good = good && recorder->finish({.digest = "00", .success = true, .reason = "goal"});
+}
+
+}  // namespace
+}  // namespace ganglion
+
+int main(int count, char** words) {
+  if (count != 3) return 2;
+  const ganglion::fs::path folder = words[2];
+  ganglion::seed_toml(words[1], folder / "toml");
+  ganglion::seed_map(folder / "map");
+  ganglion::seed_mcap(folder / "mcap");
+  return ganglion::good ? 0 : 1;
+}

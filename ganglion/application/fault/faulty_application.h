@@ -1,0 +1,69 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "ganglion/application/application.h"
+#include "ganglion/application/fault/fault.h"
+#include "ganglion/random/draws.h"
+
+namespace ganglion {
+
+/// One fault at work on one robot.
+class FaultAtWork {
+ public:
+  FaultAtWork(const Fault& fault, FaultSite site, const RobotDescription& robot, double step_s);
+  /// An episode begins: draws whether and when.
+  void reset(std::uint64_t seed, std::uint32_t episode, std::uint32_t robot) noexcept;
+  bool on_commands() const noexcept { return site_.commands; }
+  /// Spoils a frame's values; `clocks` are its ages [s] or, of commands, times to live [s].
+  void spoil(std::span<double> values, std::span<double> clocks, std::uint32_t tick, double time_s) noexcept;
+
+ private:
+  bool active(double time_s) const noexcept;
+  void hold(std::span<double> values) noexcept;
+  void shift(std::span<double> values, std::span<double> clocks, bool active) noexcept;
+  void lose(std::span<double> values, std::span<double> clocks, bool lost) noexcept;
+  double bounded(std::size_t n, double value) const noexcept;
+
+  Fault fault_;
+  FaultSite site_;
+  double step_s_;
+  std::vector<double> dead_, min_, max_;  // by the order of site_.values
+  std::vector<char> circular_;
+  std::vector<double> held_;         // Stuck, Lost: values
+  std::vector<double> held_clocks_;  // Lost: by the order of site_.channels
+  std::vector<double> past_;         // Late: a ring of `depth_` rows of values
+  std::size_t depth_ = 0, row_ = 0, rows_ = 0;
+  StreamId stream_{};
+  bool happens_ = false, holds_ = false;
+  double from_s_ = 0;
+};
+
+/// An application whose sensations and commands suffer the given faults, in their order. With no fault it is the
+/// application itself, to the bit; what a fault draws depends on seed, episode, robot, the fault's own words and tick.
+/// Nothing is allocated while stepping.
+class FaultyApplication final : public Application {
+ public:
+  /// `inner` outlives it. `step_s` is the time step, for delays. Fails as site_of() does.
+  static Result<std::unique_ptr<FaultyApplication>> make(Application& inner, const std::vector<Fault>& faults,
+                                                         double step_s);
+
+  const RobotDescription& description() const noexcept override { return inner_.description(); }
+  int robots() const noexcept override { return inner_.robots(); }
+  Result<void> reset(std::uint64_t seed, std::uint32_t episode) override;
+  void sense(std::span<SenseFrame> frames) noexcept override;
+  void step(std::span<const ActFrame> frames, double step_s) noexcept override;
+
+ private:
+  explicit FaultyApplication(Application& inner) : inner_(inner) {}
+
+  Application& inner_;
+  std::vector<std::vector<FaultAtWork>> faults_;  // of each robot
+  std::vector<ActFrame> act_;
+  std::uint32_t tick_ = 0;
+  double time_s_ = 0;
+};
+
+}  // namespace ganglion

@@ -1,0 +1,135 @@
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+#include "ganglion/base/file.h"
+#include "ganglion/record/run_file.h"
+#include "ganglion/record/test_folder.h"
+#include "tests/endings/child.h"
+
+namespace ganglion {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kNimrod = std::string(GANGLION_SOURCE_DIR) + "/experiments/nimrod";
+
+class Endings : public FolderTest {
+ protected:
+  /// A run of nearly three hours that has only just begun: nobody waits for its end.
+  std::vector<std::string> long_run(const std::string& more = "--no-report") const {
+    return {"run",   kNimrod, "--seed", "1",   "--set", "run.duration_s=10000", "--set", "run.free_ground=false",
+            "--out", folder_, "--pace", "20x", more};
+  }
+  fs::path run_file() const { return folder_ / "seed_0001.mcap"; }
+
+  void expect_whole_and_interrupted(const fs::path& file) const {
+    const auto run = RunFile::read(file);  // Recover::No: whole
+    ASSERT_TRUE(run) << run.error().text();
+    ASSERT_TRUE(run->outcome);
+    EXPECT_TRUE(run->outcome->reason.starts_with("interrupted")) << run->outcome->reason;
+    EXPECT_FALSE(run->outcome->success);
+    EXPECT_EQ(run->outcome->digest.size(), 16u);
+    ASSERT_FALSE(run->tables.empty());
+    EXPECT_GE(run->tables.front().rows(), 1u);
+    EXPECT_LT(run->tables.front().rows(), 100'000u);
+  }
+};
+
+TEST_F(Endings, OfARunByCtrlCOrTerminationLeaveAWholeFile) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    fs::remove(run_file());
+    Child program(folder_, long_run());
+    ASSERT_TRUE(program.wait_for(run_file(), 1)) << program.err();
+    program.send(signal);
+    EXPECT_EQ(program.wait(), 1);
+    EXPECT_NE(program.out().find("interrupted"), std::string::npos);
+    expect_whole_and_interrupted(run_file());
+    Child replay(folder_, {"replay", run_file()});
+    EXPECT_EQ(replay.wait(), 0) << replay.out() << replay.err();
+  }
+}
+
+TEST_F(Endings, OfManyRunsByCtrlCLeaveWholeFiles) {
+  Child program(folder_, {"run", kNimrod, "--seeds", "1..8", "--threads", "2", "--set", "run.duration_s=1000000",
+                          "--set", "run.free_ground=false", "--out", folder_});
+  ASSERT_TRUE(program.wait_for(run_file(), 1)) << program.err();
+  ASSERT_TRUE(program.wait_for(folder_ / "seed_0002.mcap", 1)) << program.err();
+  program.send(SIGINT);
+  EXPECT_EQ(program.wait(), 0) << program.err();
+  expect_whole_and_interrupted(run_file());
+  expect_whole_and_interrupted(folder_ / "seed_0002.mcap");
+  EXPECT_FALSE(fs::exists(folder_ / "seed_0003.mcap"));
+}
+
+TEST_F(Endings, ByKillLeaveAFileThatIsRecovered) {
+  std::vector<std::string> words = long_run();
+  words[words.size() - 2] = "max";
+  Child program(folder_, words);
+  ASSERT_TRUE(program.wait_for(run_file(), 100'000)) << program.err();
+  program.send(SIGKILL);
+  EXPECT_EQ(program.wait(), -SIGKILL);
+  EXPECT_FALSE(RunFile::read(run_file()));
+  Child recover(folder_, {"runs", "recover", run_file(), "--out", folder_ / "saved.mcap"});
+  EXPECT_EQ(recover.wait(), 0) << recover.err();
+  EXPECT_NE(recover.out().find("its outcome is lost"), std::string::npos) << recover.out();
+  const auto run = RunFile::read(folder_ / "saved.mcap");
+  ASSERT_TRUE(run) << run.error().text();
+  EXPECT_GT(run->tables.front().rows(), 100u);
+}
+
+TEST_F(Endings, OnAFullDiskTellTheResultAndLeaveWhatWasWritten) {
+  Child program(folder_,
+                {"run", kNimrod, "--seed", "1", "--set", "run.free_ground=false", "--set", "run.duration_s=2000",
+                 "--out", folder_, "--json"},
+                {.file_bytes = 200'000});
+  EXPECT_EQ(program.wait(), 4);
+  EXPECT_NE(program.err().find("seed_0001.mcap: cannot be written: File too large"), std::string::npos)
+      << program.err();
+  EXPECT_NE(program.out().find("\"digest\""), std::string::npos) << program.out();
+  Child recover(folder_, {"runs", "recover", run_file(), "--out", folder_ / "saved.mcap"});
+  EXPECT_EQ(recover.wait(), 0) << recover.err();
+  EXPECT_TRUE(RunFile::read(folder_ / "saved.mcap"));
+}
+
+TEST_F(Endings, WithoutAPlaceToWriteToAreTold) {
+  ASSERT_TRUE(write_file(folder_ / "file", "in the way"));
+  Child run(folder_, {"run", kNimrod, "--set", "run.duration_s=1", "--out", folder_ / "file" / "runs"});
+  EXPECT_EQ(run.wait(), 4);
+  EXPECT_NE(run.err().find("cannot be written: Not a directory"), std::string::npos) << run.err();
+  Child output(folder_, {"run", kNimrod, "--set", "run.duration_s=1", "--no-record", "--json"},
+               {.output = "/dev/full"});
+  EXPECT_EQ(output.wait(), 4);
+}
+
+TEST_F(Endings, WithoutTheirOwnRunFileAreTold) {
+  Child program(folder_, long_run("--json"));
+  ASSERT_TRUE(program.wait_for(run_file(), 1)) << program.err();
+  fs::remove(run_file());
+  program.send(SIGINT);
+  EXPECT_EQ(program.wait(), 4);
+  EXPECT_NE(program.err().find("seed_0001.mcap: there is no such file"), std::string::npos) << program.err();
+  EXPECT_NE(program.out().find("\"digest\""), std::string::npos) << "the result is told all the same";
+}
+
+TEST_F(Endings, WithFilesThatCannotBeReadAreTold) {
+  fs::create_directories(folder_ / "experiment");
+  fs::copy(kNimrod, folder_ / "experiment", fs::copy_options::recursive);
+  const auto told = [&](const std::string& words) {
+    Child program(folder_, {"run", folder_ / "experiment", "--no-record"});
+    EXPECT_EQ(program.wait(), 2);
+    EXPECT_NE(program.err().find(words), std::string::npos) << program.err();
+  };
+  fs::remove(folder_ / "experiment/office.toml");
+  told("office.toml");
+  fs::create_directories(folder_ / "experiment/office.toml");
+  told("is not a regular file");
+  fs::remove_all(folder_ / "experiment/office.toml");
+  fs::create_symlink("/dev/zero", folder_ / "experiment/office.toml");
+  told("is not a regular file");
+  fs::remove(folder_ / "experiment/experiment.toml");
+  told("experiment.toml: there is no such file");
+}
+
+}  // namespace
+}  // namespace ganglion
