@@ -1,6 +1,7 @@
 #include "ganglion/sim/simulation/lookout.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ganglion::sim {
 namespace {
@@ -110,10 +111,14 @@ void Lookout::gather() noexcept {
   const Vector2 here = scene_->robot.pose.position;
   sight_->look(*world_, here);
   others_.clear();
-  for (const std::uint32_t other : neighbours_->within(here, reach_m_ + 2 * radius_m_, robot_)) {
+  const double far_m = reach_m_ + 2 * radius_m_;
+  double nearest = far_m * far_m;
+  for (const std::uint32_t other : neighbours_->within(here, far_m, robot_)) {
     others_.push_back(neighbours_->discs()[other]);
+    nearest = std::min(nearest, (others_.back().position - here).squared());
     sight_->add_other(others_.back());
   }
+  alone_m_ = std::sqrt(nearest);
   scene_->others = others_;
   scene_->sight = sight_.get();
 }

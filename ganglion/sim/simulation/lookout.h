@@ -32,6 +32,8 @@ class Lookout {
   void call_first(std::span<const Device> devices) noexcept;
   /// Turns to a robot and casts the rays of its devices that fire.
   void begin(std::size_t robot, const Truth& truth, std::uint32_t tick, double time_s) noexcept;
+  /// No other robot's centre is nearer to that of this one; 0 where nobody looked.
+  double alone_m() const noexcept { return gathered_ ? alone_m_ : 0; }
   /// The scene of that robot's n-th device; valid until the next call.
   const Scene& scene(std::size_t n) noexcept;
 
@@ -65,6 +67,7 @@ class Lookout {
   std::optional<Scene> scene_;
   std::size_t robot_ = 0;
   bool gathered_ = false;
+  double alone_m_ = 0;
 };
 
 }  // namespace ganglion::sim

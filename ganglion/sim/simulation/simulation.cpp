@@ -52,6 +52,7 @@ Result<void> Simulation::add_robot() {
 void Simulation::prepare() {
   neighbours_.make_room(robots_.size());
   way_m_.resize(robots_.size());
+  alone_m_.resize(robots_.size());
   busy_.reserve(robots_.size());
   lookout_ = std::make_unique<Lookout>(world_, neighbours_, *config_.model, robots_.front().devices);
 }
@@ -67,6 +68,7 @@ Result<void> Simulation::reset(std::uint64_t seed, std::uint32_t episode) {
     neighbours_.put(i, robots_[i].body.disc());
   }
   neighbours_.sort();
+  std::fill(alone_m_.begin(), alone_m_.end(), 0);
   lookout_->call_first(robots_.front().devices);
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     std::vector<Device>& devices = robots_[i].devices;
@@ -149,7 +151,7 @@ void Simulation::move_free_robots(double step_s) noexcept {
     const double apart_m = 2 * config_.model->radius_m + way_m_[i] + longest_m;
     // Who goes farther than its own radius is never sure: then the others need not look far for it.
     const bool free = way_m_[i] <= config_.model->radius_m && body.off_ground(world_.ground(), way_m_[i]) &&
-                      neighbours_.within(body.truth().pose.position, apart_m, i).empty();
+                      (alone_m_[i] > apart_m || neighbours_.within(body.truth().pose.position, apart_m, i).empty());
     if (!free) busy_.push_back(i);
   }
   std::size_t busy = 0;
@@ -178,9 +180,11 @@ void Simulation::tell_bumps(std::size_t robot, double time_s) noexcept {
 }
 
 void Simulation::run_devices(double begin_s, double now_s, double end_s) noexcept {
+  std::fill(alone_m_.begin(), alone_m_.end(), 0);
   const auto calls = lookout_->call(robots_.front().devices, begin_s, now_s, end_s);  // all robots have the same
   for (std::size_t i = 0; i < robots_.size() && !calls.empty(); ++i) {
     lookout_->begin(i, robots_[i].body.truth(), tick_ + 1, now_s);
+    alone_m_[i] = lookout_->alone_m();
     for (const Lookout::Call& call : calls) {
       Device& device = robots_[i].devices[call.device];
       const Scene& scene = lookout_->scene(call.device);

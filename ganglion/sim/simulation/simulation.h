@@ -76,6 +76,7 @@ class Simulation final : public Application {
   std::vector<Robot> robots_;
   Neighbours neighbours_;
   std::vector<double> way_m_;      // of each robot in this step
+  std::vector<double> alone_m_;    // how near at least the others were to each after the last step; 0 = unknown
   std::vector<std::size_t> busy_;  // robots that go by sub-steps in this step
   std::unique_ptr<Lookout> lookout_;
   std::uint32_t tick_ = 0;

@@ -103,14 +103,14 @@ std::string problems_of(const std::string& text) {
 
 TEST(Floor, TellsWhatIsWrongInTheFile) {
   EXPECT_EQ(problems_of("[[floor]]\nx_m = 0\ny_m = 0\nradius_m = 1\nslip = 1.5\ncolour = \"red\"\nslope_deg = 85\n"
-                        "lenght_m = 1\n"
+                        "slop_deg = 1\n"
                         "[[bump]]\npoints = [[0, 0]]\n"
                         "[[beacon]]\nid = \"b\"\nx_m = 0\ny_m = 0\n"
                         "[[beacon]]\nid = \"c\"\nx_m = 0\ny_m = 0\nword = [1, 2.5]\n"),
             "w.toml:6:8: slip is 1.5, must be in [0, 1]\n"
             "w.toml:7:10: colour is \"red\", must be \"#rrggbb\", two hexadecimal digits each\n"
             "w.toml:8:13: slope_deg is 85, must be in [0, 80]\n"
-            "w.toml:9:12: \"lenght_m\" is no key here\n"
+            "w.toml:9:12: \"slop_deg\" is no key here; did you mean \"slope_deg\"?\n"
             "w.toml:11:10: points must be a list of at least 2 points [[x, y], ...]\n"
             "w.toml:13:6: b: a beacon shines (light_range_m > 0), chirps (word = [1, 2]) or both\n"
             "w.toml:20:8: c: word must be whole numbers, one for each event\n");

@@ -39,9 +39,9 @@ bool Sonar::answers(const Hit& hit, Vector2 unit_direction, double way_m) const 
   return -hit.normal.dot(unit_direction) >= cos_incidence_[static_cast<std::size_t>(hit.material)];
 }
 
-double Sonar::way_m(const Scene& scene, std::size_t n, double within_m) const noexcept {
-  Vector2 from = scene.mount().position;
-  Vector2 along = scene.ahead() * rays_[n].x + scene.ahead().left() * rays_[n].y;
+double Sonar::way_m(const Scene& scene, const Ray& axis, std::size_t n, double within_m) const noexcept {
+  Vector2 from = axis.from;
+  Vector2 along = axis.direction * rays_[n].x + axis.direction.left() * rays_[n].y;
   Hit hit = first_hit(scene, rays_[n], n, config_.max_range_m);
   double way_m = hit.range_m;
   for (int bounce = 0; way_m < within_m; ++bounce) {
@@ -58,9 +58,10 @@ double Sonar::way_m(const Scene& scene, std::size_t n, double within_m) const no
 }
 
 double Sonar::echo_range_m(const Scene& scene) const noexcept {
+  const Ray axis{scene.mount().position, scene.ahead()};
   double nearest_m = kInfinity;
   for (std::size_t n = 0; n < rays_.size(); ++n) {
-    nearest_m = std::min(nearest_m, way_m(scene, n, std::min(nearest_m, ray_reach_m_[n])));
+    nearest_m = std::min(nearest_m, way_m(scene, axis, n, std::min(nearest_m, ray_reach_m_[n])));
   }
   return nearest_m;
 }
@@ -91,7 +92,7 @@ double Sonar::crosstalk_m(const Scene& scene, double within_m) const noexcept {
 
 void Sonar::measure(const Scene& scene, Draws& draws, std::span<double> values) noexcept {
   const double noise_m = draws.normal() * config_.noise_m;
-  const bool lost = draws.uniform() < config_.dropout;
+  const bool lost = config_.dropout > 0 && draws.uniform() < config_.dropout;
   double heard_m = lost ? kInfinity : echo_range_m(scene);
   if (config_.crosstalk && !lost) heard_m = std::min(heard_m, crosstalk_m(scene, heard_m));
   if (heard_m == kInfinity) {

@@ -65,8 +65,9 @@ class Sonar final : public Sensor {
   double echo_range_m(const Scene& scene) const noexcept;
 
  private:
-  /// Length of the way to where ray n is answered, +inf where that is not less than within_m.
-  double way_m(const Scene& scene, std::size_t n, double within_m) const noexcept;
+  /// Length of the way to where ray n is answered, +inf where that is not less than within_m. `axis` is the sonar's
+  /// own.
+  double way_m(const Scene& scene, const Ray& axis, std::size_t n, double within_m) const noexcept;
   /// Half the nearest way of another's ping over a surface to here, if it is less than within_m; else +inf.
   double crosstalk_m(const Scene& scene, double within_m) const noexcept;
   bool answers(const Hit& hit, Vector2 unit_direction, double way_m) const noexcept;
