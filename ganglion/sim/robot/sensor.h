@@ -29,6 +29,22 @@ struct Ping {
   double cos_half_cone = 1;
 };
 
+/// Rays of a sensor that were cast beforehand, as long as nobody looks elsewhere.
+class CastRays {
+ public:
+  CastRays() = default;
+  CastRays(const Sight& sight, const RayFan& fan, std::size_t first) noexcept
+      : sight_(&sight), fan_(&fan), first_(first) {}
+  bool empty() const noexcept { return fan_ == nullptr; }
+  double range_m(std::size_t n) const noexcept { return fan_->range_m(first_ + n); }
+  Hit hit(std::size_t n) const noexcept { return sight_->hit(*fan_, first_ + n); }
+
+ private:
+  const Sight* sight_ = nullptr;
+  const RayFan* fan_ = nullptr;
+  std::size_t first_ = 0;
+};
+
 /// All that a sensor may look at.
 struct Scene {
   const World& world;
@@ -39,7 +55,7 @@ struct Scene {
   double radius_m = 0;                   ///< Of the robot's own disc.
   std::uint32_t tick = 0;
   double time_s = 0;
-  std::span<const Hit> hits{};    ///< What the sensor's rays() meet, where they were cast beforehand.
+  CastRays rays{};                ///< The sensor's rays(), where they were cast beforehand.
   std::span<const Ping> pings{};  ///< Sent by sensors of the robot that fire now, its own among them.
   Sight* sight = nullptr;         ///< What the robot sees, gathered beforehand: the same as `world` and `others` hold.
 
@@ -60,7 +76,11 @@ std::optional<Hit> cast(const Scene& scene, Vector2 from, Vector2 unit_direction
 Hit cast_own(const Scene& scene, Vector2 ray, double reach_m) noexcept;
 /// The same of ray `n` of its rays(), which may be cast already.
 inline Hit first_hit(const Scene& scene, Vector2 ray, std::size_t n, double reach_m) noexcept {
-  return scene.hits.empty() ? cast_own(scene, ray, reach_m) : scene.hits[n];
+  return scene.rays.empty() ? cast_own(scene, ray, reach_m) : scene.rays.hit(n);
+}
+/// Only how far it goes.
+inline double first_range_m(const Scene& scene, Vector2 ray, std::size_t n, double reach_m) noexcept {
+  return scene.rays.empty() ? cast_own(scene, ray, reach_m).range_m : scene.rays.range_m(n);
 }
 
 struct Limits {

@@ -127,8 +127,7 @@ const Scene& Lookout::scene(std::size_t n) noexcept {
   const Post& post = posts_[n];
   if (post.sees && !gathered_) gather();
   scene_->mounting = &post.mounting;
-  scene_->hits = {};
-  if (cast_[n]) scene_->hits = {&fan_.hit(post.place), post.rays};
+  scene_->rays = cast_[n] ? CastRays(*sight_, fan_, post.place) : CastRays();
   return *scene_;
 }
 

@@ -18,8 +18,8 @@ class RayFan {
   std::size_t close_group(bool wedge);
 
   std::size_t groups() const noexcept { return groups_.size(); }
-  /// What the ray at that place met first, once its group was cast; range_m is +inf where there is nothing.
-  const Hit& hit(std::size_t place) const noexcept { return hits_[place]; }
+  /// How far the ray at that place went, once its group was cast; +inf where it met nothing.
+  double range_m(std::size_t place) const noexcept { return name_[place] < 0 ? kNoHit : range_m_[place]; }
 
  private:
   friend class Sight;
@@ -35,7 +35,7 @@ class RayFan {
 
   std::vector<double> mount_x_, mount_y_, bearing_x_, bearing_y_, limit_m_;   // on the robot
   std::vector<double> from_x_, from_y_, along_x_, along_y_, range_m_, name_;  // in the world
-  std::vector<Hit> hits_;
+  std::vector<Hit> hits_;                                                     // of rays that were not cast in lanes
   std::vector<Group> groups_;
   std::size_t grouped_ = 0;  // places before this belong to groups
 };

@@ -134,16 +134,16 @@ void Sight::cast(RayFan& fan, std::size_t number, Vector2 position, Vector2 ahea
   lanes_->aim(fan.aims(group), {position.x, position.y, ahead.x, ahead.y}, rays);
   if (!listed_) walk(rays, hits);
   group.wedge ? meet(rays, fan.wedge(group)) : meet(rays);
-  const bool still = world_->movers().empty();
+  if (world_->movers().empty()) return;
   for (std::size_t n = 0; n < group.count; ++n) {
-    const Ray ray = fan.ray(group.first + n);
-    const double name = rays.name[n];
-    if (still && name >= 0 && name < kRounds) {
-      hits[n] = ground_->hit(ray, item_[static_cast<std::size_t>(name)], rays.range_m[n]);
-    } else {
-      hits[n] = seen(ray, rays.range_m[n], name, hits[n]);
-    }
+    hits[n] = seen(fan.ray(group.first + n), rays.range_m[n], rays.name[n], hits[n]);
+    rays.range_m[n] = hits[n].range_m;
+    rays.name[n] = kWalked;
   }
+}
+
+Hit Sight::hit(const RayFan& fan, std::size_t place) const noexcept {
+  return fixed_hit(fan.ray(place), fan.range_m_[place], fan.name_[place], fan.hits_[place]);
 }
 
 Hit Sight::cast(const Ray& ray, double max_range_m) noexcept {
@@ -163,19 +163,18 @@ Hit Sight::cast(const Ray& ray, double max_range_m) noexcept {
   return seen(ray, range_m, name, walked);
 }
 
+Hit Sight::fixed_hit(const Ray& ray, double range_m, double name, const Hit& walked) const noexcept {
+  if (name < 0) return {kNoHit, {}, Material::Rough};
+  if (name < kRounds) return ground_->hit(ray, item_[static_cast<std::size_t>(name)], range_m);
+  if (name < kOthers) return ground_->hit(ray, round_item_[static_cast<std::size_t>(name - kRounds)], range_m);
+  if (name == kWalked) return walked;
+  const auto n = static_cast<std::size_t>(name - kOthers);
+  const Vector2 outwards = ray.from + ray.direction * range_m - Vector2{others_.a[n], others_.b[n]};
+  return {range_m, outwards * (1 / others_.c[n]), Material::Rough};
+}
+
 Hit Sight::seen(const Ray& ray, double range_m, double name, const Hit& walked) const noexcept {
-  Hit hit{kNoHit, {}, Material::Rough};
-  if (name == kWalked) {
-    hit = walked;
-  } else if (name >= kOthers) {
-    const auto n = static_cast<std::size_t>(name - kOthers);
-    const Vector2 outwards = ray.from + ray.direction * range_m - Vector2{others_.a[n], others_.b[n]};
-    hit = {range_m, outwards * (1 / others_.c[n]), Material::Rough};
-  } else if (name >= kRounds) {
-    hit = ground_->hit(ray, round_item_[static_cast<std::size_t>(name - kRounds)], range_m);
-  } else if (name >= 0) {
-    hit = ground_->hit(ray, item_[static_cast<std::size_t>(name)], range_m);
-  }
+  const Hit hit = fixed_hit(ray, range_m, name, walked);
   if (world_->movers().empty()) return hit;
   return world_->nearest_mover(ray, hit, name < 0 ? std::nextafter(range_m, 0) : range_m);
 }

@@ -24,8 +24,10 @@ class Sight {
   void look(const World& world, Vector2 centre) noexcept;
   void add_other(const Disc& disc) noexcept;
 
-  /// Casts a group of rays from the robot, which stands there and outside all solids: fills the fan's hits.
+  /// Casts a group of rays from the robot, which stands there and outside all solids.
   void cast(RayFan& fan, std::size_t group, Vector2 position, Vector2 ahead) noexcept;
+  /// What a ray of the fan met when its group was cast, as long as nobody looks elsewhere.
+  Hit hit(const RayFan& fan, std::size_t place) const noexcept;
   /// One ray from anywhere; the way that led there included, it may not end farther off than stated.
   Hit cast(const Ray& ray, double max_range_m) noexcept;
   /// Whether a ray from there of that length stays within what was gathered.
@@ -43,6 +45,7 @@ class Sight {
   void meet(const RayColumns& rays) const noexcept;
   void meet(const RayColumns& rays, const Wedge& wedge) noexcept;
   void walk(const RayColumns& rays, Hit* hits) const noexcept;
+  Hit fixed_hit(const Ray& ray, double range_m, double name, const Hit& walked) const noexcept;
   Hit seen(const Ray& ray, double range_m, double name, const Hit& walked) const noexcept;
 
   std::shared_ptr<const Ground> ground_;

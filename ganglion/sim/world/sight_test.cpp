@@ -74,7 +74,7 @@ void compare(const World& world, Vector2 centre, Draws& draws, const Lanes& form
   for (const std::size_t group : {own.singles, own.cone}) sight.cast(own.fan, group, {}, {1, 0});
   for (std::size_t n = 0; n < own.rays.size(); ++n) {
     const Hit expected = one_by_one(world, others, own.rays[n], kReach_m);
-    EXPECT_TRUE(same_bits(own.fan.hit(own.places[n]), expected)) << form.name << ", ray " << n;
+    EXPECT_TRUE(same_bits(sight.hit(own.fan, own.places[n]), expected)) << form.name << ", ray " << n;
   }
   for (int n = 0; n < 20; ++n) {  // mirrored rays begin anywhere
     const Ray ray{centre + direction(draws.uniform(-kPi, kPi)) * draws.uniform(0, 2),

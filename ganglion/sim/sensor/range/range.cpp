@@ -48,7 +48,7 @@ Result<std::unique_ptr<Sensor>> make(const Parameters& parameters) {
 
 void Range::measure(const Scene& scene, Draws& draws, std::span<double> values) noexcept {
   const double noise_m = config_.noise_m > 0 ? draws.normal() * config_.noise_m : 0;
-  const double range_m = first_hit(scene, kAhead, 0, config_.max_range_m).range_m;
+  const double range_m = first_range_m(scene, kAhead, 0, config_.max_range_m);
   if (range_m == kInfinity) {
     values[0] = kInfinity;
   } else if (range_m < config_.min_range_m) {

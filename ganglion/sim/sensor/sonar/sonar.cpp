@@ -40,6 +40,7 @@ bool Sonar::answers(const Hit& hit, Vector2 unit_direction, double way_m) const 
 }
 
 double Sonar::way_m(const Scene& scene, const Ray& axis, std::size_t n, double within_m) const noexcept {
+  if (!scene.rays.empty() && !(scene.rays.range_m(n) < within_m)) return kInfinity;
   Vector2 from = axis.from;
   Vector2 along = axis.direction * rays_[n].x + axis.direction.left() * rays_[n].y;
   Hit hit = first_hit(scene, rays_[n], n, config_.max_range_m);
