@@ -1,10 +1,12 @@
 #include "ganglion/random/draws.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "ganglion/base/expects.h"
 #include "ganglion/base/hash.h"
 #include "ganglion/math/functions.h"
+#include "ganglion/random/normals_avx2.h"
 #include "ganglion/units/angle.h"
 
 namespace ganglion {
@@ -43,8 +45,34 @@ std::uint32_t Draws::below(std::uint32_t count) noexcept {
 }
 
 double Draws::normal() noexcept {
+  if (foreseen_ && draw_ == 0) {
+    draw_ = 2;
+    return first_normal_;
+  }
   const double radius = std::sqrt(-2 * math::log(1 - uniform()));
   return radius * math::cos(2 * kPi * uniform());
+}
+
+void Draws::foresee_normals(std::span<Draws> fresh) noexcept {
+#if defined(__x86_64__)
+  static const bool wide = __builtin_cpu_supports("avx2");
+  for (std::size_t at = 0; wide && at < fresh.size(); at += kNormalLanes) {
+    const std::size_t count = std::min(kNormalLanes, fresh.size() - at);
+    NormalLanes lanes;
+    for (std::size_t n = 0; n < kNormalLanes; ++n) {  // pads repeat the last
+      const Draws& draws = fresh[at + std::min(n, count - 1)];
+      for (std::size_t word = 0; word < 2; ++word) lanes.key[word][n] = draws.key_[word];
+      for (std::size_t word = 1; word < 4; ++word) lanes.counter[word - 1][n] = draws.counter_[word];
+    }
+    first_normals_avx2(lanes);
+    for (std::size_t n = 0; n < count; ++n) {
+      fresh[at + n].first_normal_ = lanes.normal[n];
+      fresh[at + n].foreseen_ = true;
+    }
+  }
+#else
+  static_cast<void>(fresh);
+#endif
 }
 
 }  // namespace ganglion

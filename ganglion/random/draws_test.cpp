@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 namespace ganglion {
 namespace {
@@ -40,6 +41,24 @@ TEST(Draws, HaveTheStatedMomentsOverManyTicks) {
   EXPECT_NEAR(squares / kCount, 1, 5 * std::sqrt(2.0 / kCount));
   EXPECT_NEAR(uniform_sum / kCount, 0.5, 5 * std::sqrt(1.0 / 12 / kCount));
   for (const int face : faces) EXPECT_NEAR(face, kCount / 5, 5 * std::sqrt(kCount * 0.16));
+}
+
+TEST(Draws, GiveTheSameNormalsOneByOneAndSideBySide) {
+  for (std::size_t count = 1; count <= 9; ++count) {
+    for (std::uint32_t tick = 0; tick < 2000; ++tick) {
+      std::vector<Draws> alone, together;
+      for (std::uint32_t n = 0; n < count; ++n)
+        alone.emplace_back(StreamId{tick * 7919ull << 20, n, tick ^ n, n}, tick);
+      together = alone;
+      Draws::foresee_normals(together);
+      for (std::size_t n = 0; n < count; ++n) {
+        if (n == 4) EXPECT_EQ(alone[n].bits(), together[n].bits());  // whoever draws something else first is not misled
+        ASSERT_EQ(alone[n].normal(), together[n].normal());
+        ASSERT_EQ(alone[n].normal(), together[n].normal());
+        ASSERT_EQ(alone[n].bits(), together[n].bits());
+      }
+    }
+  }
 }
 
 }  // namespace

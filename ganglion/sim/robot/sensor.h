@@ -116,6 +116,8 @@ class Sensor {
   virtual void hear(const ActFrame&) noexcept {}
   /// Fires. `values` has the values of all channels, one after the other; missing readings after REP-117.
   virtual void measure(const Scene& scene, Draws& draws, std::span<double> values) noexcept = 0;
+  /// Whether measure() begins by draws.normal(). Those of many sensors are worked out side by side then; the same bits.
+  virtual bool draws_normal() const noexcept { return false; }
   /// What comes out once the device is broken: NaN unless the kind knows better.
   virtual void broken(std::span<double> values) const noexcept {
     std::fill(values.begin(), values.end(), std::numeric_limits<double>::quiet_NaN());

@@ -12,7 +12,11 @@ constexpr double kTimeTolerance_s = 1e-7;  // sums of steps differ from multiple
 }  // namespace
 
 Device::Device(const SensorModel& model, std::unique_ptr<Sensor> sensor, std::span<double> values)
-    : model_(&model), sensor_(std::move(sensor)), values_(values), name_hash_(hash_name(model.id)) {}
+    : model_(&model),
+      sensor_(std::move(sensor)),
+      values_(values),
+      name_hash_(hash_name(model.id)),
+      channels_(model.kind->descriptor.ports.size()) {}
 
 Result<void> Device::reset(const Scene& scene, const StreamId& stream) {
   draws_ = Draws(stream, 0);
@@ -21,7 +25,8 @@ Result<void> Device::reset(const Scene& scene, const StreamId& stream) {
   StreamId beginning = stream;
   beginning.component = combine(stream.component, hash_name("reset"));
   if (auto begun = sensor_->reset(scene, Draws(beginning, 0)); !begun) return begun;
-  if (fires_at_once()) fire(scene);
+  Draws first = draws(scene.tick);
+  if (fires_at_once()) fire(scene, first);
   return {};
 }
 
@@ -44,14 +49,13 @@ bool Device::wants_before(double begin_s, double last_s, double end_s) const noe
   return firings(last_s) > firings(begin_s) && firings(last_s) == firings(end_s);
 }
 
-void Device::fire(const Scene& scene) noexcept {
-  const bool faulty = model_->fault != Fault::None && scene.time_s >= model_->fault_from_s - kTimeTolerance_s;
+void Device::fire_faulty(const Scene& scene, Draws& draws) noexcept {
+  const bool faulty = scene.time_s >= model_->fault_from_s - kTimeTolerance_s;
   const bool has_fired = std::isfinite(fired_s_);
   fired_s_ = scene.time_s;
   if (faulty && model_->fault == Fault::Dead) {
     sensor_->broken(values_);
   } else if (!faulty || !has_fired) {
-    Draws draws = draws_.at(scene.tick);
     sensor_->measure(scene, draws, values_);
   }
 }

@@ -17,8 +17,14 @@ class Device {
   Result<void> reset(const Scene& scene, const StreamId& stream);
   /// A sub-step of that length has gone by, for devices that follow().
   void follow(const Scene& scene, double substep_s) noexcept { sensor_->follow(scene, substep_s); }
-  /// It is due: takes a reading, or what its fault makes of it.
-  void fire(const Scene& scene) noexcept;
+  /// What a reading at a tick may draw.
+  Draws draws(std::uint32_t tick) const noexcept { return draws_.at(tick); }
+  /// It is due: takes a reading with those draws, or what its fault makes of it.
+  void fire(const Scene& scene, Draws& draws) noexcept {
+    if (model_->fault != Fault::None) return fire_faulty(scene, draws);
+    fired_s_ = scene.time_s;
+    sensor_->measure(scene, draws, values_);
+  }
   void hear(const ActFrame& frame) noexcept { sensor_->hear(frame); }
   double age_s(double time_s) const noexcept { return time_s - fired_s_; }
 
@@ -30,17 +36,20 @@ class Device {
   /// Whether it would have anything to do in the sub-steps of [begin_s, last_s), of the step that ends at end_s.
   bool wants_before(double begin_s, double last_s, double end_s) const noexcept;
   std::uint64_t name_hash() const noexcept { return name_hash_; }
+  std::size_t channels() const noexcept { return channels_; }
 
   const SensorModel& model() const noexcept { return *model_; }
   const Sensor& sensor() const noexcept { return *sensor_; }
 
  private:
   double firings(double time_s) const noexcept;
+  void fire_faulty(const Scene& scene, Draws& draws) noexcept;
 
   const SensorModel* model_;
   std::unique_ptr<Sensor> sensor_;
   std::span<double> values_;
   std::uint64_t name_hash_;
+  std::size_t channels_;
   Draws draws_{{}, 0};  // its stream's at tick 0
   double fired_s_ = -std::numeric_limits<double>::infinity();
 };

@@ -13,7 +13,8 @@ constexpr std::size_t kGroup = kLanePadding;
 
 }  // namespace
 
-Lookout::Lookout(const World& world, Neighbours& neighbours, const RobotModel& model, std::span<const Device> devices)
+Lookout::Lookout(const World& world, Neighbours& neighbours, std::size_t robots, const RobotModel& model,
+                 std::span<const Device> devices)
     : world_(&world), neighbours_(&neighbours), radius_m_(model.radius_m), cast_(devices.size()) {
   double spread_m = 0;
   for (const Device& device : devices) {
@@ -28,7 +29,8 @@ Lookout::Lookout(const World& world, Neighbours& neighbours, const RobotModel& m
   group_called_.resize(fan_.groups());
   calls_.reserve(devices.size());
   pings_.reserve(devices.size());
-  const std::size_t robots = neighbours.discs().size();
+  far_m_ = reach_m_ + 2 * radius_m_;
+  neighbours.make_room(robots, far_m_);
   others_.reserve(robots);
   if (reach_m_ > 0) sight_ = std::make_unique<Sight>(world.shared_ground(), reach_m_, spread_m, robots);
 }
@@ -61,10 +63,10 @@ std::span<const Lookout::Call> Lookout::call(std::span<const Device> devices, do
   for (std::size_t n = 0; n < devices.size(); ++n) {
     const bool fires = devices[n].due(begin_s, now_s, end_s);
     const bool follows = devices[n].sensor().follows();
-    if (fires || follows) calls_.push_back({n, fires, follows});
+    if (fires || follows) calls_.push_back({n, fires, follows, fires && devices[n].sensor().draws_normal()});
     if (fires) ping(devices[n], n);
-    cast_[n] = fires && posts_[n].rays > 0;
-    if (!cast_[n]) continue;
+    if (!fires || posts_[n].rays == 0) continue;
+    cast_[n] = CastRays(*sight_, fan_, posts_[n].place);
     for (std::size_t g = posts_[n].first_group; g < posts_[n].end_group; ++g) group_called_[g] = true;
   }
   return calls_;
@@ -84,7 +86,7 @@ void Lookout::ping(const Device& device, std::size_t n) noexcept {
 void Lookout::forget_calls() noexcept {
   calls_.clear();
   pings_.clear();
-  std::fill(cast_.begin(), cast_.end(), false);
+  std::fill(cast_.begin(), cast_.end(), CastRays());
   std::fill(group_called_.begin(), group_called_.end(), false);
 }
 
@@ -109,26 +111,17 @@ void Lookout::begin(std::size_t robot, const Truth& truth, std::uint32_t tick, d
 void Lookout::gather() noexcept {
   gathered_ = true;
   const Vector2 here = scene_->robot.pose.position;
-  sight_->look(*world_, here);
-  others_.clear();
-  const double far_m = reach_m_ + 2 * radius_m_;
-  double nearest = far_m * far_m;
-  for (const std::uint32_t other : neighbours_->within(here, far_m, robot_)) {
-    others_.push_back(neighbours_->discs()[other]);
-    nearest = std::min(nearest, (others_.back().position - here).squared());
-    sight_->add_other(others_.back());
+  const auto near = neighbours_->within(here, far_m_, robot_);
+  if (others_.size() < near.size()) others_.resize(near.size());  // within what is reserved
+  double nearest = far_m_ * far_m_;
+  for (std::size_t n = 0; n < near.size(); ++n) {
+    others_[n] = neighbours_->discs()[near[n]];
+    nearest = std::min(nearest, (others_[n].position - here).squared());
   }
+  scene_->others = std::span(others_).first(near.size());
+  sight_->look(*world_, here, scene_->others);
   alone_m_ = std::sqrt(nearest);
-  scene_->others = others_;
   scene_->sight = sight_.get();
-}
-
-const Scene& Lookout::scene(std::size_t n) noexcept {
-  const Post& post = posts_[n];
-  if (post.sees && !gathered_) gather();
-  scene_->mounting = &post.mounting;
-  scene_->rays = cast_[n] ? CastRays(*sight_, fan_, post.place) : CastRays();
-  return *scene_;
 }
 
 }  // namespace ganglion::sim

@@ -15,14 +15,17 @@ namespace ganglion::sim {
 /// cast together. What a robot sees is gathered only if somebody looks.
 class Lookout {
  public:
-  /// For robots of one model; `devices` are those of any. World and neighbours must outlive it. Takes all its memory.
-  Lookout(const World& world, Neighbours& neighbours, const RobotModel& model, std::span<const Device> devices);
+  /// For robots of one model; `devices` are those of any. World and neighbours must outlive it. Takes all its memory
+  /// and that of the neighbours.
+  Lookout(const World& world, Neighbours& neighbours, std::size_t robots, const RobotModel& model,
+          std::span<const Device> devices);
 
   /// A device that has to do in a sub-step.
   struct Call {
     std::size_t device = 0;  ///< Its number on the robot.
     bool fires = false;
     bool follows = false;
+    bool draws_normal = false;  ///< First, when it fires.
   };
   /// Finds out which devices have to do in the sub-step from begin_s to now_s, of a step that ends at end_s; it is the
   /// same for all robots. `devices` are those of any.
@@ -35,7 +38,12 @@ class Lookout {
   /// No other robot's centre is nearer to that of this one; 0 where nobody looked.
   double alone_m() const noexcept { return gathered_ ? alone_m_ : 0; }
   /// The scene of that robot's n-th device; valid until the next call.
-  const Scene& scene(std::size_t n) noexcept;
+  const Scene& scene(std::size_t n) noexcept {
+    if (posts_[n].sees && !gathered_) gather();
+    scene_->mounting = &posts_[n].mounting;
+    scene_->rays = cast_[n];
+    return *scene_;
+  }
 
  private:
   /// What is fixed of a device.
@@ -56,11 +64,12 @@ class Lookout {
   Neighbours* neighbours_;
   double radius_m_;
   double reach_m_ = 0;            // of the farthest-seeing device
+  double far_m_ = 0;              // other robots nearer than this matter
   std::unique_ptr<Sight> sight_;  // if any sees at all
   RayFan fan_;
   std::vector<Post> posts_;
   std::vector<Call> calls_;
-  std::vector<char> cast_;  // by device: whether its rays are
+  std::vector<CastRays> cast_;  // by device: its rays, if they are
   std::vector<char> group_called_;
   std::vector<Ping> pings_;
   std::vector<Disc> others_;

@@ -11,6 +11,8 @@ constexpr std::size_t kCellsPerDisc = 8;  // where the discs are spread wide, ce
 
 constexpr double kRounding_m = 1e-9;
 constexpr std::size_t kFew = 32;
+constexpr double kSkin_m = 0.3;              // lists serve until somebody has moved so far
+constexpr std::size_t kListedPerRobot = 64;  // on the average; where robots are denser there are no lists
 
 /// Numbers that come row by row and are few as a rule.
 void put_in_order(std::vector<std::uint32_t>& numbers) noexcept {
@@ -25,12 +27,15 @@ void put_in_order(std::vector<std::uint32_t>& numbers) noexcept {
 
 }  // namespace
 
-void Neighbours::make_room(std::size_t robots) {
+void Neighbours::make_room(std::size_t robots, double range_m) {
   discs_.resize(robots);
   sorted_at_.resize(robots);
   cell_.resize(robots);
   order_.resize(robots);
   found_.reserve(robots);
+  list_start_.resize(robots + 1);
+  list_.resize(kListedPerRobot * robots);
+  listed_m_ = range_m + 2 * kSkin_m;
   start_.resize(kCellsPerDisc * robots + 2);
 }
 
@@ -52,8 +57,14 @@ void Neighbours::lay_out() noexcept {
   rows_ = static_cast<int>(along(box.height_m(), cell_m));
 }
 
+void Neighbours::sort_if_needed() noexcept {
+  const double next_m = moved_m_ + (moved_m_ - moved_before_m_);
+  moved_before_m_ = moved_m_;
+  if (!listed_ || !(next_m <= kSkin_m)) sort();
+}
+
 void Neighbours::sort() noexcept {
-  moved_m_ = 0;
+  moved_m_ = moved_before_m_ = 0;
   if (discs_.size() < 2) return;
   lay_out();
   const std::size_t cells = static_cast<std::size_t>(columns_) * rows_;
@@ -65,9 +76,40 @@ void Neighbours::sort() noexcept {
   }
   for (std::size_t cell = 1; cell < cells + 2; ++cell) start_[cell] += start_[cell - 1];
   for (std::size_t i = discs_.size(); i-- > 0;) order_[--start_[cell_[i] + 1]] = static_cast<std::uint32_t>(i);
+  make_lists();
 }
 
-std::span<const std::uint32_t> Neighbours::within(Vector2 place, double range_m, std::size_t left_out) noexcept {
+void Neighbours::make_lists() noexcept {
+  listed_ = false;
+  std::uint32_t end = 0;
+  for (std::size_t i = 0; i < discs_.size(); ++i) {
+    const auto near = in_cells(sorted_at_[i], listed_m_, i);
+    if (near.size() > list_.size() - end) return;
+    list_start_[i] = end;
+    std::copy(near.begin(), near.end(), list_.begin() + end);
+    end += static_cast<std::uint32_t>(near.size());
+  }
+  list_start_.back() = end;
+  listed_ = true;
+}
+
+bool Neighbours::lists_tell(Vector2 place, double range_m, std::size_t robot) const noexcept {
+  return listed_ && range_m + moved_m_ + (place - sorted_at_[robot]).length() + kRounding_m <= listed_m_;
+}
+
+std::span<const std::uint32_t> Neighbours::within(Vector2 place, double range_m, std::size_t robot) noexcept {
+  if (!lists_tell(place, range_m, robot)) return in_cells(place, range_m, robot);
+  const std::size_t listed = list_start_[robot + 1] - list_start_[robot];
+  if (found_.size() < listed) found_.resize(listed);  // within what is reserved; never smaller, so that this is rare
+  std::size_t count = 0;
+  for (std::uint32_t n = list_start_[robot]; n < list_start_[robot + 1]; ++n) {
+    found_[count] = list_[n];
+    count += (discs_[list_[n]].position - place).squared() <= range_m * range_m ? 1 : 0;
+  }
+  return std::span(found_).first(count);
+}
+
+std::span<const std::uint32_t> Neighbours::in_cells(Vector2 place, double range_m, std::size_t left_out) noexcept {
   found_.clear();
   if (discs_.size() < 2) return found_;
   const double reach_m = range_m + moved_m_ + kRounding_m;

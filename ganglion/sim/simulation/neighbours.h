@@ -9,18 +9,21 @@
 namespace ganglion::sim {
 
 /// Where the robots are, and who is near whom without asking all of them: a counting sort into square cells, row by
-/// row. What it finds does not depend on the cells.
+/// row, and for each robot a list of who is near or may come near while nobody goes farther than a little way (Verlet's
+/// lists). What it finds depends on neither.
 class Neighbours {
  public:
-  /// Takes the memory for so many robots.
-  void make_room(std::size_t robots);
+  /// Takes the memory for so many robots, who mostly ask for what is within range_m.
+  void make_room(std::size_t robots, double range_m);
   void put(std::size_t robot, const Disc& disc) noexcept;
   std::span<const Disc> discs() const noexcept { return discs_; }
   /// Sorts them as they stand. Needed now and then only: the farther they moved since, the more cells are looked into.
   void sort() noexcept;
-  /// The robots but one whose centre now lies within range_m of a place, as indices in rising order. Valid until the
-  /// next call.
-  std::span<const std::uint32_t> within(Vector2 place, double range_m, std::size_t left_out) noexcept;
+  /// Sorts them if another step like the last one would make the lists useless.
+  void sort_if_needed() noexcept;
+  /// The robots but `robot` whose centre now lies within range_m of a place where that one stands or has just come to,
+  /// as indices in rising order. Valid until the next call.
+  std::span<const std::uint32_t> within(Vector2 place, double range_m, std::size_t robot) noexcept;
 
  private:
   int column_of(double x) const noexcept { return clamped((x - lower_.x) * per_m_, columns_); }
@@ -29,6 +32,9 @@ class Neighbours {
     return index >= count ? count - 1 : (index > 0 ? static_cast<int>(index) : 0);  // NaN gives 0
   }
   void lay_out() noexcept;
+  void make_lists() noexcept;
+  bool lists_tell(Vector2 place, double range_m, std::size_t robot) const noexcept;
+  std::span<const std::uint32_t> in_cells(Vector2 place, double range_m, std::size_t robot) noexcept;
 
   std::vector<Disc> discs_;
   std::vector<Vector2> sorted_at_;  // where each was when it was sorted
@@ -41,6 +47,11 @@ class Neighbours {
   std::vector<std::uint32_t> start_;  // of cell n in order_ at n + 1
   std::vector<std::uint32_t> order_;  // robots, cell by cell
   std::vector<std::uint32_t> found_;
+  double listed_m_ = 0;                    // how near the others in the lists were
+  double moved_before_m_ = 0;              // moved_m_ when last asked whether to sort
+  bool listed_ = false;                    // whether there is room for the lists
+  std::vector<std::uint32_t> list_start_;  // of robot n in list_, and the end of the last
+  std::vector<std::uint32_t> list_;
 };
 
 }  // namespace ganglion::sim

@@ -22,7 +22,7 @@ TEST(Neighbours, AreThoseThatAScanOfAllFinds) {
   for (const auto& [robots, side_m] :
        {std::pair(1, 5.0), std::pair(2, 1000.0), std::pair(50, 0.0), std::pair(300, 30.0)}) {
     Neighbours neighbours;
-    neighbours.make_room(static_cast<std::size_t>(robots));
+    neighbours.make_room(static_cast<std::size_t>(robots), 3.3);
     auto somewhere = [&, side_m = side_m] {
       const double x = draws.uniform(-side_m, side_m);
       return Vector2{x, draws.uniform(0, side_m)};
@@ -36,7 +36,9 @@ TEST(Neighbours, AreThoseThatAScanOfAllFinds) {
         const auto found = neighbours.within(here, range_m, robot);
         EXPECT_EQ(std::vector<std::uint32_t>(found.begin(), found.end()), scan(neighbours, here, range_m, robot));
       }
-      neighbours.put(robot, {here + somewhere() * 0.05, 0.1});  // they move after they were sorted
+      // They move after they were sorted: a little, as lists allow, or far.
+      neighbours.put(robot, {here + somewhere() * (round < 100 ? 0.001 : 0.05), 0.1});
+      if (round % 20 == 0) neighbours.sort_if_needed();
     }
   }
 }

@@ -1,5 +1,6 @@
 #include "ganglion/sim/simulation/simulation.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "ganglion/base/hash.h"
@@ -50,11 +51,11 @@ Result<void> Simulation::add_robot() {
 
 /// What depends on all robots and their devices.
 void Simulation::prepare() {
-  neighbours_.make_room(robots_.size());
   way_m_.resize(robots_.size());
   alone_m_.resize(robots_.size());
   busy_.reserve(robots_.size());
-  lookout_ = std::make_unique<Lookout>(world_, neighbours_, *config_.model, robots_.front().devices);
+  draws_.reserve(robots_.front().devices.size());
+  lookout_ = std::make_unique<Lookout>(world_, neighbours_, robots_.size(), *config_.model, robots_.front().devices);
 }
 
 Result<void> Simulation::reset(std::uint64_t seed, std::uint32_t episode) {
@@ -92,9 +93,8 @@ void Simulation::sense(std::span<SenseFrame> frames) noexcept {
     std::copy(robot.values.begin(), robot.values.end(), frame.values.begin());
     std::size_t channel = 0;
     for (const Device& device : robot.devices) {
-      for (std::size_t n = 0; n < device.model().kind->descriptor.ports.size(); ++n) {
-        frame.ages_s[channel++] = device.age_s(time_s_);
-      }
+      const double age_s = device.age_s(time_s_);
+      for (std::size_t n = 0; n < device.channels(); ++n) frame.ages_s[channel++] = age_s;
     }
   }
 }
@@ -115,7 +115,7 @@ void Simulation::step(std::span<const ActFrame> frames, double step_s) noexcept 
   const double length_s = step_s / count, last_s = time_s_ + length_s * (count - 1);
   const bool plain = world_.movers().empty() && world_.ground().plan().floor.plain();
   const bool at_once = plain && devices_wait(last_s, end_s);
-  neighbours_.sort();
+  neighbours_.sort_if_needed();
   busy_.clear();
   for (std::size_t i = 0; i < frames.size(); ++i) busy_.push_back(i);
   if (at_once) move_free_robots(step_s);
@@ -182,16 +182,33 @@ void Simulation::tell_bumps(std::size_t robot, double time_s) noexcept {
 void Simulation::run_devices(double begin_s, double now_s, double end_s) noexcept {
   std::fill(alone_m_.begin(), alone_m_.end(), 0);
   const auto calls = lookout_->call(robots_.front().devices, begin_s, now_s, end_s);  // all robots have the same
+  const bool any_draw = std::any_of(calls.begin(), calls.end(), [](const auto& call) { return call.draws_normal; });
   for (std::size_t i = 0; i < robots_.size() && !calls.empty(); ++i) {
     lookout_->begin(i, robots_[i].body.truth(), tick_ + 1, now_s);
     alone_m_[i] = lookout_->alone_m();
+    if (any_draw) draw(robots_[i], calls);
+    Draws* drawn = draws_.data();
     for (const Lookout::Call& call : calls) {
       Device& device = robots_[i].devices[call.device];
       const Scene& scene = lookout_->scene(call.device);
       if (call.follows) device.follow(scene, now_s - begin_s);
-      if (call.fires) device.fire(scene);
+      if (!call.fires) continue;
+      if (call.draws_normal) {
+        device.fire(scene, *drawn++);
+      } else {
+        Draws draws = device.draws(tick_ + 1);
+        device.fire(scene, draws);
+      }
     }
   }
+}
+
+void Simulation::draw(const Robot& robot, std::span<const Lookout::Call> calls) noexcept {
+  draws_.clear();
+  for (const Lookout::Call& call : calls) {
+    if (call.draws_normal) draws_.push_back(robot.devices[call.device].draws(tick_ + 1));
+  }
+  Draws::foresee_normals(draws_);
 }
 
 const TrainerLog* Simulation::trainer_log(int robot) const noexcept {

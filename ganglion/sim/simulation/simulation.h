@@ -69,6 +69,8 @@ class Simulation final : public Application {
   void move_busy_robots(double elapsed_s, double step_s) noexcept;
   void tell_bumps(std::size_t robot, double time_s) noexcept;
   void run_devices(double begin_s, double now_s, double end_s) noexcept;
+  /// Fills draws_ for the calls of a robot's devices.
+  void draw(const Robot& robot, std::span<const Lookout::Call> calls) noexcept;
 
   SimulationConfig config_;
   Spawner spawner_;
@@ -79,6 +81,7 @@ class Simulation final : public Application {
   std::vector<double> alone_m_;    // how near at least the others were to each after the last step; 0 = unknown
   std::vector<std::size_t> busy_;  // robots that go by sub-steps in this step
   std::unique_ptr<Lookout> lookout_;
+  std::vector<Draws> draws_;  // of the devices of one robot that draw a normal first
   std::uint32_t tick_ = 0;
   std::uint32_t substeps_ = 0;
   double time_s_ = 0;

@@ -2,6 +2,7 @@
 // and ?: work lane by lane). Included by one source file for each V, compiled for its processor: everything is in an
 // anonymous namespace, and nothing inline of other headers may be called, lest the linker take that processor's copy of
 // it for the whole program. Each file provides `V root(V)`.
+#include <algorithm>
 #include <cstring>
 
 #include "ganglion/sim/world/lanes.h"
@@ -153,6 +154,9 @@ template <class V>
 void keep_nearest_lane(const RayLanes<V>& ray, const RayColumns& rays) noexcept {
   double range_m[kWidth<V>], name[kWidth<V>];
   store(ray.range_m, range_m);
+  double nearest_m = range_m[0];
+  for (std::size_t k = 1; k < kWidth<V>; ++k) nearest_m = std::min(nearest_m, range_m[k]);
+  if (!(nearest_m < rays.range_m[0])) return;
   store(ray.name, name);
   for (std::size_t k = 0; k < kWidth<V>; ++k) {
     if (range_m[k] > rays.range_m[0] || (range_m[k] == rays.range_m[0] && name[k] >= rays.name[0])) continue;

@@ -34,10 +34,11 @@ Sight::Sight(const std::shared_ptr<const Ground>& ground, double reach_m, double
   for (std::size_t n = 0; n < others_.name.size(); ++n) others_.name[n] = kOthers + static_cast<double>(n);
 }
 
-void Sight::look(const World& world, Vector2 centre) noexcept {
+void Sight::look(const World& world, Vector2 centre, std::span<const Disc> others) noexcept {
   world_ = &world;
   centre_ = centre;
-  segments_.count = rounds_.count = others_.count = 0;
+  segments_.count = rounds_.count = 0;
+  put_others(others);
   const NearSurfaces::List list = near_->at(centre);
   listed_ = list.listed;
   averted_ = {};
@@ -72,13 +73,14 @@ void Sight::add_segments(std::span<const std::uint32_t> items) noexcept {
   }
 }
 
-void Sight::add_other(const Disc& disc) noexcept {
-  const std::size_t n = others_.count++;
-  others_.a[n] = disc.position.x;
-  others_.b[n] = disc.position.y;
-  others_.c[n] = disc.radius_m;
-  if (n % kLanePadding == 0)
-    std::fill_n(others_.c.begin() + static_cast<std::ptrdiff_t>(n) + 1, kLanePadding - 1, kNaN);
+void Sight::put_others(std::span<const Disc> others) noexcept {
+  others_.count = others.size();
+  for (std::size_t n = 0; n < others.size(); ++n) {
+    others_.a[n] = others[n].position.x;
+    others_.b[n] = others[n].position.y;
+    others_.c[n] = others[n].radius_m;
+  }
+  for (std::size_t n = others.size(); n < padded(others.size()); ++n) others_.c[n] = kNaN;
 }
 
 SegmentColumns Sight::segments(std::size_t count) const noexcept {

@@ -20,9 +20,8 @@ class Sight {
   Sight(const std::shared_ptr<const Ground>& ground, double reach_m, double spread_m, std::size_t robots,
         const Lanes& lanes = sim::lanes());
 
-  /// Looks round from a place; then the other robots are added, in order.
-  void look(const World& world, Vector2 centre) noexcept;
-  void add_other(const Disc& disc) noexcept;
+  /// Looks round from a place, where there are these other robots.
+  void look(const World& world, Vector2 centre, std::span<const Disc> others) noexcept;
 
   /// Casts a group of rays from the robot, which stands there and outside all solids.
   void cast(RayFan& fan, std::size_t group, Vector2 position, Vector2 ahead) noexcept;
@@ -40,6 +39,7 @@ class Sight {
     std::size_t count = 0;
   };
   void add_segments(std::span<const std::uint32_t> items) noexcept;
+  void put_others(std::span<const Disc> others) noexcept;
   SegmentColumns segments(std::size_t count) const noexcept;
   CircleColumns circles(const Columns& columns) const noexcept;
   void meet(const RayColumns& rays) const noexcept;

@@ -68,8 +68,7 @@ Eyes eyes(Vector2 at) {
 void compare(const World& world, Vector2 centre, Draws& draws, const Lanes& form) {
   const std::vector<Disc> others = random_discs(draws, centre, 9);
   Sight sight(world.shared_ground(), kReach_m, kSpread_m, others.size(), form);
-  sight.look(world, centre);
-  for (const Disc& disc : others) sight.add_other(disc);
+  sight.look(world, centre, others);
   Eyes own = eyes(centre);
   for (const std::size_t group : {own.singles, own.cone}) sight.cast(own.fan, group, {}, {1, 0});
   for (std::size_t n = 0; n < own.rays.size(); ++n) {
@@ -121,7 +120,7 @@ TEST(Sight, SeesMoversWhereTheyStand) {
     Draws draws({5, 0, 0, 99}, 0);
     compare(world, {0.5, 0}, draws, *form);
     Sight sight(world.shared_ground(), kReach_m, kSpread_m, 0, *form);
-    sight.look(world, {0.5, 0});
+    sight.look(world, {0.5, 0}, {});
     EXPECT_NEAR(sight.cast({{0.5, 0}, {1, 0}}, 3).range_m, 1, 1e-12);
   }
 }

@@ -25,6 +25,7 @@ class Compass final : public Sensor {
   Result<void> reset(const Scene& scene, Draws draws) override;
   bool follows() const noexcept override { return config_.lag_s > 0; }
   void follow(const Scene& scene, double step_s) noexcept override;
+  bool draws_normal() const noexcept override { return config_.noise_rad > 0; }
   void measure(const Scene& scene, Draws& draws, std::span<double> values) noexcept override;
 
  private:

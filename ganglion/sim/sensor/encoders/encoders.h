@@ -20,6 +20,7 @@ class Encoders final : public Sensor {
   explicit Encoders(const EncodersConfig& config) noexcept : config_(config) {}
   Limits limits(std::size_t) const noexcept override { return {-1e9, 1e9}; }
   Result<void> reset(const Scene& scene, Draws draws) override;
+  bool draws_normal() const noexcept override { return config_.scatter_m > 0; }
   void measure(const Scene& scene, Draws& draws, std::span<double> values) noexcept override;
 
  private:

@@ -58,6 +58,7 @@ class Sonar final : public Sensor {
   double reach_m() const noexcept override { return config_.max_range_m; }
   std::span<const Vector2> rays() const noexcept override { return rays_; }
   std::optional<double> ping_cos_half_cone() const noexcept override { return cos_half_cone_; }
+  bool draws_normal() const noexcept override { return true; }
   void measure(const Scene& scene, Draws& draws, std::span<double> values) noexcept override;
   void broken(std::span<double> values) const noexcept override;
 
