@@ -128,8 +128,8 @@ void read_energy(Table table, EnergyModel& energy) {
 void read_battery(Table& root, BatteryModel& battery) {
   const bool present = root.has("battery");
   Table table = root.table("battery");
+  const Parameters read = table.parameters(battery_parameters());  // asked for even if absent: schemas list what is
   if (!present) return;
-  const Parameters read = table.parameters(battery_parameters());
   battery = {read.real("capacity_J"), read.real("full_V"), read.real("empty_V"), read.real("resistance_ohm"),
              read.real("charge")};
   if (battery.empty_V > battery.full_V) {
