@@ -97,6 +97,25 @@ TEST(NimrodWithBothSonarsDead, StandsStillWithinHalfASecond) {
   }
 }
 
+TEST(NimrodsTrial, PassesTheBoxWithTheHeldCourseAndSwingsBeforeItWithout) {
+  const auto progress_m = [](const std::vector<config::Override>& overrides, std::uint64_t seed) {
+    Problems problems;
+    const auto prepared = prepare(kNimrod / "box.toml", overrides, problems);
+    EXPECT_TRUE(prepared) << problems.text();
+    RunOptions options;
+    options.seed = seed;
+    const auto result = run(*prepared, options);
+    EXPECT_TRUE(result) << result.error().text();
+    return measure(result->measures, "progress_m");
+  };
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    EXPECT_GE(progress_m({}, seed), 8) << "seed " << seed;
+    EXPECT_LT(progress_m({{"controller.acting.hold.hold_s", "0"}, {"controller.acting.hold.hold_growth", "0"}}, seed),
+              2.75)  // where the box begins
+        << "seed " << seed;
+  }
+}
+
 /// The problems of Nimrod's experiment with this text behind it.
 std::string problems_with(const std::string& text) {
   const fs::path file = kNimrod / "experiment.toml";

@@ -95,6 +95,8 @@ void RobotMeasures::report(Measures& into) const {
   into.emplace_back("fastest_contact_mps", last_.fastest_contact_mps);
   into.emplace_back("progress_m", progress_m_);
   into.emplace_back("far_wall_m", far_wall_m_);
+  const Vector2 way = last_.pose.position - start_;
+  into.emplace_back("off_course_m", std::fabs(course_.x * way.y - course_.y * way.x));
   if (free_ground_ != nullptr) into.emplace_back("progress_ratio", progress_ratio_);
   into.emplace_back("dwell_s", dwell_.longest_s());
   into.emplace_back("explored_m2", static_cast<double>(visited_.size()) * kSquare_m * kSquare_m);

@@ -25,11 +25,12 @@ using FreeGround = std::vector<double>;
 ///   contacts              contacts begun; pushing on is none
 ///   fastest_contact_mps   speed along the normal at which the hardest began
 ///   progress_m            farthest way along the heading of the start
+///   off_course_m          distance at the end from the line along which it started
 ///   far_wall_m            way along it up to the first structural wall
 ///   progress_ratio        until the far wall: progress made / progress that free ground would have given in that time
-///   dwell_s               longest time within some disc of 0.5 m, standing still with `stuck` or `blind` raised
-///   excepted explored_m2           area of the 0.25 m squares the centre has been in <id>_share            for each
-///   candidate of a coordinator the share of ticks it drove
+///   dwell_s               longest time within some disc of 0.5 m; not while it stands still, `stuck` or `blind`
+///   explored_m2           area of the 0.25 m squares the centre has been in
+///   <id>_share            for each candidate of a coordinator the share of ticks it drove
 class RobotMeasures {
  public:
   RobotMeasures(const sim::Ground& ground, const sim::Truth& start, double radius_m, const Controller& controller,

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "ganglion/base/file.h"
+#include "ganglion/base/text.h"
 #include "ganglion/config/testing/outline_names.h"
 #include "ganglion/config/testing/schema_validator.h"
 #include "ganglion/graph/model.h"
@@ -109,9 +110,10 @@ TEST(Schemas, RefuseSlipsInRobots) {
   const std::string drive = "[drive]\nkind = \"Tracked\"\n";
   expect_slips(
       "robot", start + drive,
-      {"track = 1", "full_scale_mps = 0", "full_scale_mps = \"1\"", "[energy]\nidle_W = -1", "[energy]\nidle = 1",
-       "[[sensor]]\nid = \"s\"", "[[sensor]]\nkind = \"Sonar\"", "[[sensor]]\nid = \"s\"\nkind = \"Sonr\"",
-       "[[sensor]]\nid = \"s\"\nkind = \"Sonar\"\nx = 1", "[[sensor]]\nid = \"s\"\nkind = \"Sonar\"\nfault = \"gone\"",
+      {"track = 1", "full_scale_mps = 0", "full_scale_mps = \"1\"", "[energy]\nidle_W = -1", "[battery]\ncharge = -1",
+       "[battery]\nfull = 1", "[energy]\nidle = 1", "[[sensor]]\nid = \"s\"", "[[sensor]]\nkind = \"Sonar\"",
+       "[[sensor]]\nid = \"s\"\nkind = \"Sonr\"", "[[sensor]]\nid = \"s\"\nkind = \"Sonar\"\nx = 1",
+       "[[sensor]]\nid = \"s\"\nkind = \"Sonar\"\nfault = \"gone\"",
        "[[sensor]]\nid = \"s\"\nkind = \"Sonar\"\nyaw_deg = 400", "[[command]]\nname = \"drive\""});
   expect_slips("robot", start + "[[sensation]]\nname = \"a\"\n[[command]]\nname = \"b\"\n",
                {"min = -1", "elements = 1", "safe = [0, \"x\"]", "[[sensation]]\nname = \"c\"\ntype = \"angle\"",
@@ -123,6 +125,7 @@ TEST(Schemas, RefuseSlipsInRobots) {
   expect_slips("robot", start + drive + "[battery]\n", {"capacity_J = 0", "charge = 2", "volts = 3"});
   expect_verdict("robot", start + "[[command]]\nname = \"b\"\nelements = [\"x\", \"y\", \"z\"]\nmin = [-1, -2, -3]\n",
                  true);
+  expect_verdict("robot", start + drive + "[battery]\nfull_V = 8\n", true);
 }
 
 TEST(Schemas, RefuseSlipsInWorlds) {
@@ -138,6 +141,95 @@ TEST(Schemas, RefuseSlipsInWorlds) {
                 "[[mover]]\nid = \"b\"\nradius_m = 0.2\npath = [[0, 0], [1, 0]]",
                 "[[mover]]\nid = \"b\"\nradius_m = 0.2\npath = [[0, 0], [1, 0]]\nspeed_mps = 0"});
   expect_verdict("world", "format = 1\n[[mover]]\nid = \"a\"\nlength_m = 1\nwidth_m = 1\nplaces = [[0, 0]]\n", true);
+}
+
+/// Tables of every form, to take lines out of and to put lines into.
+const char* const kForms = R"(format = 1
+[[wall]]
+points = [[0, 0], [1, 0], [1, 1]]
+closed = true
+[[disc]]
+x_m = 0
+y_m = 0
+radius_m = 1
+structural = true
+[[floor]]
+points = [[0, 0], [1, 0], [0, 1]]
+colour = "#102030"
+slip = 0.1
+[[floor]]
+x_m = 0
+y_m = 0
+radius_m = 1
+[[floor]]
+x_m = 0
+y_m = 0
+length_m = 1
+width_m = 1
+yaw_deg = 10
+[[beacon]]
+id = "lamp"
+x_m = 0
+y_m = 0
+light_range_m = 3
+[[beacon]]
+id = "bird"
+x_m = 0
+y_m = 0
+word = [1, 2]
+start_s = 1
+[[mover]]
+id = "a"
+radius_m = 0.2
+path = [[0, 0], [1, 0]]
+speed_mps = 1
+loop = true
+[[mover]]
+id = "b"
+length_m = 1
+width_m = 1
+places = [[0, 0]]
+[[mover]]
+id = "c"
+radius_m = 0.2
+places = [[0, 0], [1, 0]]
+change_after_s = [1, 2]
+[[mover]]
+id = "d"
+length_m = 1
+width_m = 1
+area = [0, 0, 3, 3]
+x_m = 1
+y_m = 1
+speed_mps = 1
+avoids = "robots"
+)";
+
+/// Where the reader finds no fault the schema must find none.
+void expect_no_false_alarm(const FileType& type, const std::vector<std::string>& lines, int& good) {
+  const std::string text = join(lines, "\n");
+  Problems problems;
+  type.read(text, (kExperiments / "nimrod" / "sample.toml").string(), problems);
+  if (!problems.empty()) return;
+  ++good;
+  EXPECT_TRUE(config::schema_accepts(type.schema, text)) << text;
+}
+
+TEST(Schemas, RaiseNoFalseAlarmWhenLinesComeAndGo) {
+  const std::vector<std::string> lines = split(kForms, '\n');
+  int good = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    std::vector<std::string> shorter = lines;
+    shorter.erase(shorter.begin() + static_cast<std::ptrdiff_t>(i));
+    expect_no_false_alarm(type_of("world"), shorter, good);
+    for (std::size_t n = 0; n < lines.size(); ++n) {
+      if (!lines[n].starts_with("[[")) continue;
+      std::vector<std::string> longer = lines;
+      longer.insert(longer.begin() + static_cast<std::ptrdiff_t>(n) + 1, lines[i]);
+      if (config::parse(join(longer, "\n"), "x")) expect_no_false_alarm(type_of("world"), longer, good);
+    }
+  }
+  EXPECT_GT(good, 20);
 }
 
 TEST(Schemas, RefuseSlipsInControllers) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <list>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -19,6 +20,11 @@ inline void gather(const std::list<Outline>& tables, const std::string& place, K
     for (const Outline::Key& key : table.keys()) {
       asked.insert(here + key.name);
       gather(key.asked.inside, here + key.name + ".", asked, mentioned);
+      const bool table = !key.asked.inside.empty();
+      const auto empty = [](const Outline& inside) { return inside.keys().empty(); };
+      if (table && std::all_of(key.asked.inside.begin(), key.asked.inside.end(), empty)) {
+        mentioned.insert(here + key.name + ".*");
+      }
     }
   }
 }
@@ -30,7 +36,8 @@ inline KeyNames asked_keys(const std::list<Outline>& samples) {
   return asked;
 }
 
-/// What the reader knows of, but was brought to ask by no sample: the samples lack a form.
+/// What the reader knows of, but was brought to ask by no sample: the samples lack a form. "battery.*" is a table that
+/// it opened and asked nothing of.
 inline KeyNames unasked_keys(const std::list<Outline>& samples) {
   KeyNames asked, mentioned;
   gather(samples, "", asked, mentioned);

@@ -128,7 +128,7 @@ void read_energy(Table table, EnergyModel& energy) {
 void read_battery(Table& root, BatteryModel& battery) {
   const bool present = root.has("battery");
   Table table = root.table("battery");
-  const Parameters read = table.parameters(battery_parameters());  // asked for even if absent: schemas list what is
+  const Parameters read = table.parameters(battery_parameters());
   if (!present) return;
   battery = {read.real("capacity_J"), read.real("full_V"), read.real("empty_V"), read.real("resistance_ohm"),
              read.real("charge")};

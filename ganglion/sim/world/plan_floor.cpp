@@ -19,11 +19,8 @@ Vector2 read_position(config::Table& table) {
 }
 
 Colour read_colour(config::Table& table, const Colour& preset) {
-  if (!table.has("colour")) {
-    table.known("colour");
-    return preset;
-  }
-  const std::string text = table.text("colour");
+  const std::string text = table.text("colour", "");
+  if (!table.has("colour")) return preset;
   unsigned value = 0;
   const char* end = text.data() + text.size();
   const bool form = text.size() == 7 && text[0] == '#';
@@ -92,7 +89,6 @@ void read_bumps(config::Table& root, ItemIds& ids, Floor& floor) {
 }
 
 void read_word(config::Table& table, Beacon& beacon) {
-  for (const char* key : {"sound_range_m", "event_s", "pause_s", "start_s"}) table.known(key);
   const auto events = table.numbers("word", {}, 0, {1, 255});
   for (const double event : events) beacon.word.push_back(static_cast<int>(std::clamp(event, 0.0, 255.0)));
   if (!std::equal(events.begin(), events.end(), beacon.word.begin(), beacon.word.end())) {
@@ -101,8 +97,8 @@ void read_word(config::Table& table, Beacon& beacon) {
   if (events.size() > kMaxWord) {
     table.problem("word", ErrorCode::TooLarge, "word has {} events; the limit is {}", events.size(), kMaxWord);
   }
-  if (!table.has("word")) return;
-  beacon.sound_range_m = table.number("sound_range_m", 5, kSize);
+  const double sound_range_m = table.number("sound_range_m", 5, kSize);
+  beacon.sound_range_m = table.has("word") ? sound_range_m : 0;
   beacon.event_s = table.number("event_s", 0.3, kTime);
   beacon.pause_s = table.number("pause_s", 2, {0, 1e6});
   beacon.start_s = table.number("start_s", 0, {0, 1e6});

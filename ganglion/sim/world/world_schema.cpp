@@ -43,9 +43,17 @@ y_m = 0
 area = [0, 0, 1, 1]
 speed_mps = 1
 
+[[mover]]
+id = "box_that_strolls"
+length_m = 0.1
+width_m = 0.1
+x_m = 0
+y_m = 0
+area = [0, 0, 1, 1]
+speed_mps = 1
+
 [[floor]]
 points = [[0, 0], [1, 0], [0, 1]]
-colour = "#000000"
 
 [[floor]]
 x_m = 0
@@ -57,16 +65,6 @@ x_m = 0
 y_m = 0
 length_m = 1
 width_m = 1
-
-[[bump]]
-points = [[0, 0], [1, 0]]
-
-[[beacon]]
-id = "beacon"
-x_m = 0
-y_m = 0
-colour = "#000000"
-word = [1]
 )";
 
 }  // namespace
