@@ -24,7 +24,9 @@ constexpr const char* kScene =
     R"({"name":"room","bounds":[0,0,6,5],"shapes":[{"class":"wall","kind":"wall","points":[[0,0],[6,0],[6,5]],"closed":true},)"
     R"({"class":"furniture","kind":"disc","x":2,"y":2,"radius":0.5},{"class":"wall","kind":"box","points":[[1,1],[2,1],[2,2]],"closed":true}],)"
     R"("map":{"origin":[1,2,0],"resolution":0.05,"columns":100,"rows":80,"occupied":[[0,0,100,1]],"unknown":[]},)"
-    R"("movers":[{"id":"cart","points":[[0,0],[1,0],[1,1]],"pose":[1,1,0]}],"spawns":[{"id":"a","pose":[1,2,3]}]})";
+    R"("movers":[{"id":"cart","points":[[0,0],[1,0],[1,1]],"pose":[1,1,0]}],"spawns":[{"id":"a","pose":[1,2,3]}],)"
+    R"("floor":[{"points":[[0,0],[1,0],[0,1]],"slip":0.2},{"x":4,"y":4,"radius":0.25}],"bumps":[[[0,3],[1,3]]],)"
+    R"("beacons":[{"id":"lamp","x":5,"y":4}]})";
 
 constexpr const char* kRun =
     R"({"robots":[{"name":"nimrod","length_m":0.24,"width_m":0.2,"radius_m":0,"sensors":[{"id":"sonar_left","kind":"sonar",)"
@@ -84,6 +86,16 @@ TEST(ViewOfARunFile, TellsWhoDroveAndWhoWantedTo) {
   EXPECT_EQ(arbiter.wanted,
             (std::vector<std::uint8_t>{0, 0, 1, 1}));  // escape by escape.active, avoid by arbiter.wanted
   EXPECT_TRUE(arbiter.shares.empty());
+}
+
+TEST(ViewOfARunFile, ShowsWhatLiesOnTheFloorAndWhatStandsAboveIt) {
+  const Scene scene = from_run_file(sample_file()).scene;
+  ASSERT_EQ(scene.zones.size(), 2u);
+  EXPECT_EQ(scene.zones[0].points, (std::vector<Vector2>{{0, 0}, {1, 0}, {0, 1}}));
+  for (const Vector2 p : scene.zones[1].points) EXPECT_NEAR((p - Vector2{4, 4}).length(), 0.25, 1e-12);
+  ASSERT_EQ(scene.bumps.size(), 1u);
+  EXPECT_EQ(scene.bumps[0].points, (std::vector<Vector2>{{0, 3}, {1, 3}}));
+  EXPECT_EQ(scene.beacons, (std::vector<Vector2>{{5, 4}}));
 }
 
 TEST(ViewOfARunFile, TellsWallsFurnitureAndPillarsApart) {

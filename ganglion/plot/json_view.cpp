@@ -71,6 +71,27 @@ Mover mover_from(const Json& mover) {
   return result;
 }
 
+/// The floor and what stands above it: nothing that blocks the way.
+void add_floor(Scene& scene, const Json& json) {
+  for (const Json& zone : list_in(json, "floor")) {
+    if (scene.zones.size() >= kMaxShapes) break;
+    Outline outline{points_in(zone, "points"), true};
+    if (outline.points.empty())
+      outline.points = circle({number_in(zone, "x"), number_in(zone, "y")}, number_in(zone, "radius"));
+    scene.zones.push_back(std::move(outline));
+  }
+  for (const Json& bump : list_in(json, "bumps")) {
+    if (scene.bumps.size() >= kMaxShapes) break;
+    const auto end = [&](std::size_t i) {
+      const Json point = bump.is_array() && i < bump.size() ? bump[i] : Json();
+      return Vector2{element(point, 0), element(point, 1)};
+    };
+    scene.bumps.push_back({{end(0), end(1)}, false});
+  }
+  for (const Json& beacon : list_in(json, "beacons"))
+    if (scene.beacons.size() < kMaxShapes) scene.beacons.push_back({number_in(beacon, "x"), number_in(beacon, "y")});
+}
+
 }  // namespace
 
 std::optional<Json> parse_object(std::string_view text) {
@@ -114,6 +135,7 @@ Scene scene_from(const Json& json) {
   for (const Json& mover : list_in(json, "movers"))
     if (scene.movers.size() < kMaxShapes) scene.movers.push_back(mover_from(mover));
   for (const Json& spawn : list_in(json, "spawns")) scene.spawns.push_back(pose_in(spawn, "pose"));
+  add_floor(scene, json);
   const Json& box = list_in(json, "bounds");
   const Bounds bounds{{element(box, 0), element(box, 1)}, {element(box, 2), element(box, 3)}};
   if (bounds.lower.x < bounds.upper.x && bounds.lower.y < bounds.upper.y) scene.bounds = bounds;

@@ -75,6 +75,16 @@ std::string ground_rows(const Content& content, Language language) {
   if (content.walls) html += row("<path d=\"M1 10H33\" stroke=\"var(--wall)\" stroke-width=\"3\"/>", "wall", language);
   if (content.furniture) html += row(fmt::format(fmt::runtime(kBox), "free"), "static_obstacle", language);
   if (content.movers) html += row(fmt::format(fmt::runtime(kBox), "mover"), "dynamic_obstacle", language);
+  if (content.zones)
+    html +=
+        row("<rect x=\"9\" y=\"3\" width=\"16\" height=\"14\" fill=\"var(--zone)\" stroke=\"var(--line)\" "
+            "stroke-dasharray=\"1 3\"/>",
+            "floor_zone", language);
+  if (content.bumps)
+    html += row("<path d=\"M1 10H33\" stroke=\"var(--bump)\" stroke-width=\"2\" stroke-dasharray=\"8 3 2 3\"/>", "bump",
+                language);
+  if (content.beacons)
+    html += row("<path d=\"M17 3l7 7-7 7-7-7z\" fill=\"var(--goal)\" stroke=\"#22272e\"/>", "beacon", language);
   return html;
 }
 
@@ -93,6 +103,9 @@ Content content_of(const plot::RunView& run) {
   content.movers = !run.scene.movers.empty();
   content.walls = !run.scene.walls.empty() || !run.scene.solids.empty() || run.scene.map;
   content.furniture = !run.scene.furniture.empty();
+  content.zones = !run.scene.zones.empty();
+  content.bumps = !run.scene.bumps.empty();
+  content.beacons = !run.scene.beacons.empty();
   return content;
 }
 

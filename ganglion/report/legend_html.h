@@ -18,6 +18,9 @@ struct Content {
   bool behaviours = false;
   bool walls = false;
   bool furniture = false;
+  bool zones = false;
+  bool bumps = false;
+  bool beacons = false;
 };
 Content content_of(const plot::RunView& run);
 

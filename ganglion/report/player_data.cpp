@@ -68,7 +68,10 @@ Json scene_of(const plot::Scene& scene) {
       poses.insert(poses.end(), {rounded(pose.position.x), rounded(pose.position.y), rounded(pose.yaw.rad())});
     movers.push_back({{"outline", flat(mover.outline)}, {"times", mover.times_s}, {"poses", std::move(poses)}});
   }
-  return {{"walls", outlines(scene.walls)},
+  return {{"zones", outlines(scene.zones)},
+          {"bumps", outlines(scene.bumps)},
+          {"beacons", flat(scene.beacons)},
+          {"walls", outlines(scene.walls)},
           {"furniture", outlines(scene.furniture)},
           {"solids", outlines(scene.solids)},
           {"map", scene.map ? map_of(*scene.map) : Json(nullptr)},

@@ -121,6 +121,8 @@ TEST(Schemas, RefuseSlipsInRobots) {
   expect_verdict("robot", start, false);
   expect_verdict("robot", "format = 1\nname = \"r\"\n" + drive, false);
   expect_verdict("robot", "format = 1\nname = \"r\"\n[body]\nlength_m = 0.2\nwidth_m = 0\n" + drive, false);
+  expect_verdict("robot", start + drive + "[battery]\ncapacity_J = 400\ncharge = 0.5\n", true);
+  expect_slips("robot", start + drive + "[battery]\n", {"capacity_J = 0", "charge = 2", "volts = 3"});
   expect_verdict("robot", start + "[[command]]\nname = \"b\"\nelements = [\"x\", \"y\", \"z\"]\nmin = [-1, -2, -3]\n",
                  true);
   expect_verdict("robot", start + drive + "[battery]\nfull_V = 8\n", true);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace ganglion::plot {
 namespace {
@@ -13,6 +14,11 @@ const Colour kMoverFill = Colour::hex(0x9aa2ab);
 const Pen kWall{Colour::hex(0x22272e), 2.5, {}};
 const Pen kFurnitureEdge{Colour::hex(0x4b535d), 1.2, {}};
 const Pen kMoverEdge{Colour::hex(0x4b535d), 1.2, {}};
+const Colour kZoneFill = Colour::hex(0xdbe6ee);
+const Pen kZoneEdge{Colour::hex(0x6d8294), 1, {1, 3, 1, 3}};
+const Pen kBump{Colour::hex(0x8a6d3b), 1.6, {8, 3, 2, 3}};
+const Colour kBeaconFill = Colour::hex(0xffd54a);
+const Pen kBeaconEdge{Colour::hex(0x22272e), 1.2, {}};
 const Pen kOtherPlace{Colour::hex(0x7b838d), 1, {3, 3, 3, 3}};
 
 std::vector<Vector2> placed(const Axes& axes, const std::vector<Vector2>& points, const Pose2& pose) {
@@ -60,11 +66,31 @@ void draw_mover(Canvas& canvas, const Axes& axes, const Mover& mover, double tim
   if (now < mover.poses.size()) canvas.polygon(placed(axes, mover.outline, mover.poses[now]), kMoverFill, kMoverEdge);
 }
 
+void draw_beacon(Canvas& canvas, Vector2 centre) {
+  constexpr double kHalf_px = 7;
+  const std::array<Vector2, 4> corners = {centre + Vector2{kHalf_px, 0}, centre + Vector2{0, kHalf_px},
+                                          centre - Vector2{kHalf_px, 0}, centre - Vector2{0, kHalf_px}};
+  canvas.polygon(corners, kBeaconFill, kBeaconEdge);
+}
+
+void add_floor_to_legend(Legend& legend, const Scene& scene, const Words& words) {
+  const Vector2 half{7, 6};
+  if (!scene.zones.empty())
+    legend.add(std::string(words.floor_zone), [half](Canvas& canvas, Vector2 centre) {
+      canvas.rectangle(centre - half, 2 * half, kZoneFill);
+      canvas.rectangle(centre - half, 2 * half, kZoneEdge);
+    });
+  if (!scene.bumps.empty()) legend.add_line(std::string(words.bump), kBump);
+  if (!scene.beacons.empty()) legend.add(std::string(words.beacon), draw_beacon);
+}
+
 }  // namespace
 
 void draw_ground(Canvas& canvas, const Axes& axes, const Scene& scene, double time_s) {
   canvas.rectangle(axes.corner_px, axes.size_px, kFloor);
   canvas.clip(axes.corner_px, axes.size_px);
+  for (const Outline& zone : scene.zones) canvas.polygon(placed(axes, zone.points, {}), kZoneFill, kZoneEdge);
+  for (const Outline& bump : scene.bumps) draw_outline(canvas, axes, bump, kBump);
   for (const Outline& piece : scene.furniture) {
     if (piece.closed)
       canvas.polygon(placed(axes, piece.points, {}), Colour::hex(0xffffff), kFurnitureEdge);
@@ -75,6 +101,7 @@ void draw_ground(Canvas& canvas, const Axes& axes, const Scene& scene, double ti
   draw_filled(canvas, axes, scene.solids, kWall.colour);
   for (const Outline& wall : scene.walls) draw_outline(canvas, axes, wall, kWall);
   for (const Mover& mover : scene.movers) draw_mover(canvas, axes, mover, time_s);
+  for (const Vector2 beacon : scene.beacons) draw_beacon(canvas, axes.at(beacon));
   canvas.unclip();
 }
 
@@ -89,6 +116,7 @@ void add_ground_to_legend(Legend& legend, const Scene& scene, const Words& words
   if (scene.map && !scene.map->unknown.empty())
     legend.add(std::string(words.unknown_ground),
                [half](Canvas& canvas, Vector2 centre) { canvas.rectangle(centre - half, 2 * half, kMoverFill); });
+  add_floor_to_legend(legend, scene, words);
   if (scene.movers.empty()) return;
   legend.add(std::string(words.dynamic_obstacle), [half](Canvas& canvas, Vector2 centre) {
     canvas.rectangle(centre - half, 2 * half, kMoverFill);

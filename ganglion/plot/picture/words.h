@@ -26,6 +26,9 @@ struct Words {
   Word dynamic_obstacle;
   Word earlier_place;
   Word unknown_ground;
+  Word floor_zone;
+  Word bump;
+  Word beacon;
   Word true_outline;
   Word failed_attempt;
   Word no_behaviour;

@@ -56,6 +56,9 @@ struct Scene {
   std::optional<ScannedMap> map;
   std::vector<Mover> movers;
   std::vector<Pose2> spawns;
+  std::vector<Outline> zones;    ///< Patches of floor unlike the rest; closed.
+  std::vector<Outline> bumps;    ///< Ridges that sonar does not see.
+  std::vector<Vector2> beacons;  ///< Sources of light or sound.
   std::optional<Bounds> bounds;  ///< None where the run knows no ground.
 };
 

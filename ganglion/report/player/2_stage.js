@@ -8,7 +8,7 @@ function styleColour(name) {
 
 /** All colours the canvases use; read again when the colour scheme changes. */
 function readColours() {
-  const names = ['floor', 'line', 'wall', 'free', 'mover', 'body', 'start', 'trail', 'goal', 'attempt', 'sonar', 'contact',
+  const names = ['floor', 'line', 'wall', 'free', 'mover', 'zone', 'bump', 'body', 'start', 'trail', 'goal', 'attempt', 'sonar', 'contact',
     'route', 'text', 'muted', 'card', 'accent'];
   const colours = Object.fromEntries(names.map((name) => [name, styleColour(name)]));
   colours.looks = Array.from({ length: 8 }, (_, i) => styleColour(`look-${i}`));

@@ -31,6 +31,15 @@ function drawGround(view, scene, colours) {
   const [x0, y0, x1, y1] = view.bounds;
   view.trace([x0, y0, x1, y0, x1, y1, x0, y1], true);
   view.fill(colours.floor);
+  for (const zone of scene.zones) {
+    view.trace(zone.points, true);
+    view.fill(colours.zone);
+    view.stroke(colours.line, 1, [1, 3]);
+  }
+  for (const bump of scene.bumps) {
+    view.trace(bump.points, false);
+    view.stroke(colours.bump, 1.6, [8, 3, 2, 3]);
+  }
   for (const block of scene.solids) {
     view.trace(block.points, true);
     view.fill(colours.wall);
@@ -65,6 +74,17 @@ function drawMovers(view, scene, t, colours) {
     view.trace(mover.outline, true, { x, y, yaw });
     view.fill(colours.mover);
     view.stroke(colours.line, 1.2);
+  }
+}
+
+function drawBeacons(view, scene, colours) {
+  for (let i = 0; i + 1 < scene.beacons.length; i += 2) {
+    const [x, y] = [view.x(scene.beacons[i]), view.y(scene.beacons[i + 1])];
+    view.context.beginPath();
+    for (const [dx, dy] of [[7, 0], [0, 7], [-7, 0], [0, -7]]) view.context.lineTo(x + dx, y + dy);
+    view.context.closePath();
+    view.fill(colours.goal);
+    view.stroke('#22272e', 1.2);
   }
 }
 

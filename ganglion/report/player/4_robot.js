@@ -110,6 +110,7 @@ function drawWorld(player) {
   const chosen = run.robots[player.robot];
   if (chosen && layers.map !== 'off') for (const map of chosen.maps) drawMap(view, map, t, layers.map, colours);
   drawEdges(view, run.scene, colours);
+  drawBeacons(view, run.scene, colours);
   if (layers.movers) drawMovers(view, run.scene, t, colours);
   if (chosen && layers.attempts) drawAttempts(view, chosen, t, colours);
   if (chosen && layers.route) drawRoutes(view, chosen, t, colours);
