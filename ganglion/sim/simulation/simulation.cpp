@@ -6,6 +6,11 @@
 #include "ganglion/base/hash.h"
 
 namespace ganglion::sim {
+namespace {
+
+constexpr double kClear_m = 1e-6;  // left over between robots that meet nothing
+
+}  // namespace
 
 Simulation::Simulation(SimulationConfig config, Spawner spawner)
     : config_(std::move(config)), spawner_(std::move(spawner)), world_(config_.ground) {}
@@ -143,6 +148,23 @@ bool Simulation::devices_wait(double last_s, double end_s) const noexcept {
   return true;
 }
 
+bool Simulation::goes_freely(std::size_t robot, double longest_m, double step_s) noexcept {
+  const double way_m = way_m_[robot], radius_m = config_.model->radius_m;
+  if (way_m == 0) return true;  // it turns on the spot, or stands: it is the others who run into it
+  // Who goes farther than its own radius is never sure: then the others need not look far for it.
+  if (way_m > radius_m || !bodies_[robot].off_ground(world_.ground(), way_m, step_s)) return false;
+  const Vector2 here = bodies_[robot].truth().pose.position;
+  const double look_m = 2 * radius_m + way_m + longest_m;
+  if (alone_m_[robot] > look_m) return true;
+  for (const std::uint32_t other : neighbours_.within(here, look_m, robot)) {
+    const Vector2 there = bodies_[other].truth().pose.position;
+    const double apart_m = 2 * radius_m + std::min(way_m_[other], radius_m);
+    if ((there - here).length() > apart_m + way_m) continue;
+    if (!(bodies_[robot].nearest_m(there, way_m, step_s) > apart_m + kClear_m)) return false;
+  }
+  return true;
+}
+
 void Simulation::move_free_robots(double step_s) noexcept {
   double longest_m = 0;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -151,12 +173,7 @@ void Simulation::move_free_robots(double step_s) noexcept {
   }
   busy_.clear();
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    Body& body = bodies_[i];
-    const double apart_m = 2 * config_.model->radius_m + way_m_[i] + longest_m;
-    // Who goes farther than its own radius is never sure: then the others need not look far for it.
-    const bool free = way_m_[i] <= config_.model->radius_m && body.off_ground(world_.ground(), way_m_[i]) &&
-                      (alone_m_[i] > apart_m || neighbours_.within(body.truth().pose.position, apart_m, i).empty());
-    if (!free) busy_.push_back(i);
+    if (!goes_freely(i, longest_m, step_s)) busy_.push_back(i);
   }
   std::size_t busy = 0;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -186,12 +203,14 @@ void Simulation::tell_bumps(std::size_t robot, double time_s) noexcept {
 void Simulation::run_devices(double begin_s, double now_s, double end_s) noexcept {
   std::fill(alone_m_.begin(), alone_m_.end(), 0);
   const auto calls = lookout_->call(devices_, begin_s, now_s, end_s);
-  if (calls.empty()) return;
+  if (calls.empty() && lookout_->rays().empty()) return;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     lookout_->begin(i, bodies_[i], tick_ + 1, now_s);
     alone_m_[i] = lookout_->alone_m();
-    run_devices(i, calls, now_s - begin_s);
+    lookout_->read_rays(values_of(i));
+    if (!calls.empty()) run_devices(i, calls, now_s - begin_s);
   }
+  for (const Lookout::Ray& ray : lookout_->rays()) devices_[ray.device].fired(now_s);
   for (const Lookout::Call& call : calls) {
     if (call.fires) devices_[call.device].fired(now_s);
   }

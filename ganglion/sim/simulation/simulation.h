@@ -65,6 +65,9 @@ class Simulation final : public Application {
   bool devices_wait(double last_s, double end_s) const noexcept;
   /// Moves those that can meet nothing through the whole step; busy_ holds the others.
   void move_free_robots(double step_s) noexcept;
+  /// Whether that robot can meet nothing on its way through the whole step, whatever the others do; none of them goes
+  /// farther than longest_m.
+  bool goes_freely(std::size_t robot, double longest_m, double step_s) noexcept;
   void move_busy_robots(double elapsed_s, double step_s) noexcept;
   void tell_bumps(std::size_t robot, double time_s) noexcept;
   void run_devices(double begin_s, double now_s, double end_s) noexcept;
