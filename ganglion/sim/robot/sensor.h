@@ -78,7 +78,7 @@ Hit cast_own(const Scene& scene, Vector2 ray, double reach_m) noexcept;
 inline Hit first_hit(const Scene& scene, Vector2 ray, std::size_t n, double reach_m) noexcept {
   return scene.rays.empty() ? cast_own(scene, ray, reach_m) : scene.rays.hit(n);
 }
-/// Only how far it goes.
+/// Only how far it goes; more than reach_m where it meets nothing.
 inline double first_range_m(const Scene& scene, Vector2 ray, std::size_t n, double reach_m) noexcept {
   return scene.rays.empty() ? cast_own(scene, ray, reach_m).range_m : scene.rays.range_m(n);
 }
