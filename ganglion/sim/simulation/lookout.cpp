@@ -82,7 +82,9 @@ std::span<const Lookout::Call> Lookout::call(std::span<const Device> devices, do
 }
 
 void Lookout::read_rays(std::span<double> values) const noexcept {
-  for (const Ray& ray : rays_) values[ray.value] = ray.ranging.reading_m(fan_.range_m(ray.place));
+  const double* range_m = fan_.ranges_m().data();
+  double* value = values.data();
+  for (const Ray& ray : std::span(rays_)) value[ray.value] = ray.ranging.reading_m(range_m[ray.place]);
 }
 
 void Lookout::call_first(std::span<const Device> devices) noexcept {
@@ -128,9 +130,11 @@ void Lookout::gather() noexcept {
   const auto near = neighbours_->within(here, far_m_, robot_);
   if (others_.size() < near.size()) others_.resize(near.size());  // within what is reserved
   double nearest = far_m_ * far_m_;
-  for (std::size_t n = 0; n < near.size(); ++n) {
-    others_[n] = neighbours_->discs()[near[n]];
-    nearest = std::min(nearest, (others_[n].position - here).squared());
+  const Disc* discs = neighbours_->discs().data();
+  Disc* other = others_.data();
+  for (const std::uint32_t robot : near) {
+    *other = discs[robot];
+    nearest = std::min(nearest, (other++->position - here).squared());
   }
   scene_->others = std::span(others_).first(near.size());
   sight_->look(*world_, here, scene_->others);

@@ -118,10 +118,12 @@ std::span<const std::uint32_t> Neighbours::listed(const Lists& lists, Vector2 pl
                                                   std::size_t robot) noexcept {
   const std::span list(&lists.all[lists.start[robot]], lists.start[robot + 1] - lists.start[robot]);
   if (found_.size() < list.size()) found_.resize(list.size());  // within what is reserved; never smaller: it is rare
+  const Disc* discs = discs_.data();
+  std::uint32_t* found = found_.data();
   std::size_t count = 0;
   for (const std::uint32_t other : list) {
-    found_[count] = other;
-    count += (discs_[other].position - place).squared() <= range_m * range_m ? 1 : 0;
+    found[count] = other;
+    count += (discs[other].position - place).squared() <= range_m * range_m ? 1 : 0;
   }
   return std::span(found_).first(count);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "ganglion/sim/world/lanes.h"
@@ -20,6 +21,7 @@ class RayFan {
   std::size_t groups() const noexcept { return groups_.size(); }
   /// How far the ray at that place went, once its group was cast; more than its longest where it met nothing.
   double range_m(std::size_t place) const noexcept { return range_m_[place]; }
+  std::span<const double> ranges_m() const noexcept { return range_m_; }
 
  private:
   friend class Sight;
