@@ -1,0 +1,163 @@
+#include "ganglion/studio/document/connect.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "ganglion/base/text.h"
+#include "ganglion/graph/order.h"
+
+namespace ganglion::studio {
+namespace {
+
+using Messages = std::multiset<std::string>;
+
+Messages checked(ControllerModel model, const RobotDescription& robot) {
+  Problems problems;
+  resolve(model, robot, problems);
+  order(model, problems);
+  Messages messages;
+  for (const Error& error : problems.sorted()) messages.insert(error.message);
+  return messages;
+}
+
+std::string without_id(const std::string& message, const std::string& id) {
+  return message.starts_with(id + ": ") ? message.substr(id.size() + 2) : message;
+}
+
+/// Tries wires on a drawing: each on a copy of its model, held against the same checks as a file.
+class Trial {
+ public:
+  explicit Trial(const Drawing& drawing) : drawing_(drawing) {
+    if (drawing.robot) before_ = checked(drawing.unresolved, *drawing.robot);
+  }
+
+  Connection run(const std::string& from, int component, int port) const {
+    const ComponentModel& to = drawing_.unresolved.components[static_cast<std::size_t>(component)];
+    const PortDescriptor& input = to.descriptor->ports[static_cast<std::size_t>(port)];
+    Connection connection{to.id, std::string(input.name), from, {}};
+    if (!drawing_.robot) {
+      connection.reasons.emplace_back("the robot this is drawn for is not known");
+      return connection;
+    }
+    ControllerModel model = drawing_.unresolved;
+    if (!add(model.components[static_cast<std::size_t>(component)], input, port, from)) {
+      connection.reasons.push_back(fmt::format("\"{}\" is wired to it already", from));
+      return connection;
+    }
+    for (const std::string& message : checked(std::move(model), *drawing_.robot)) {
+      const auto known = before_.count(message);
+      if (known == 0) connection.reasons.push_back(without_id(message, to.id));
+    }
+    return connection;
+  }
+
+ private:
+  static bool add(ComponentModel& to, const PortDescriptor& input, int port, const std::string& from) {
+    const auto found = std::find_if(to.wires.begin(), to.wires.end(), [&](const Wire& w) { return w.port == port; });
+    if (found == to.wires.end()) {
+      to.wires.push_back({port, {Source{.text = from, .place = to.place}}, to.place});
+      return true;
+    }
+    if (!input.many) found->sources.clear();
+    for (const Source& source : found->sources) {
+      if (source.text == from) return false;
+    }
+    found->sources.push_back(Source{.text = from, .place = to.place});
+    return true;
+  }
+
+  const Drawing& drawing_;
+  Messages before_;
+};
+
+std::string source_id(const std::string& from) { return from.substr(0, from.find_first_of(".@")); }
+
+/// The components that `from` needs in its tick: a wire to one of them would close a circle.
+std::vector<bool> upstream_of(const ControllerModel& model, int from) {
+  std::vector<bool> seen(model.components.size(), false);
+  std::vector<int> open;
+  if (from >= 0) open.push_back(from);
+  while (!open.empty()) {
+    const auto at = static_cast<std::size_t>(open.back());
+    open.pop_back();
+    if (seen[at]) continue;
+    seen[at] = true;
+    for (const Wire& wire : model.components[at].wires) {
+      for (const Source& source : wire.sources) {
+        const bool within = source.kind == Source::Kind::Output || source.kind == Source::Kind::ModuleCommand;
+        if (within) open.push_back(source.component);
+      }
+    }
+  }
+  return seen;
+}
+
+bool is_input_of(const ComponentModel& component, std::size_t port) {
+  return is_input(component.component_class, component.descriptor->ports[port].role);
+}
+
+/// Components of one kind that are no part of a circle and hand on no command are refused or taken for the same
+/// reasons: the checks look at the port then, not at who has it.
+bool same_for_its_kind(const PortDescriptor& port) {
+  return port.unit != "*" && port.size != 0 && port.role == PortRole::Feedback;
+}
+
+}  // namespace
+
+Connection may_connect(const Drawing& drawing, const std::string& from, const std::string& component,
+                       const std::string& port) {
+  const int index = drawing.unresolved.find(component);
+  const ComponentModel* to = index >= 0 ? &drawing.unresolved.components[static_cast<std::size_t>(index)] : nullptr;
+  const PortDescriptor* input = to != nullptr && to->descriptor != nullptr ? to->descriptor->port(port) : nullptr;
+  if (input == nullptr || !is_input(to->component_class, input->role)) {
+    return {component, port, from, {fmt::format("there is no input \"{}\" of a component \"{}\"", port, component)}};
+  }
+  return Trial(drawing).run(from, index, static_cast<int>(input - to->descriptor->ports.data()));
+}
+
+std::vector<Connection> targets_of(const Drawing& drawing, const std::string& from) {
+  const Trial trial(drawing);
+  const std::vector<bool> upstream = upstream_of(drawing.model, drawing.model.find(source_id(from)));
+  std::map<const PortDescriptor*, std::vector<std::string>> known;
+  std::vector<Connection> result;
+  for (std::size_t i = 0; i < drawing.unresolved.components.size(); ++i) {
+    const ComponentModel& component = drawing.unresolved.components[i];
+    if (component.descriptor == nullptr) continue;
+    for (std::size_t p = 0; p < component.descriptor->ports.size(); ++p) {
+      const PortDescriptor& port = component.descriptor->ports[p];
+      if (!is_input_of(component, p)) continue;
+      const bool shared = same_for_its_kind(port) && !upstream[i] && component.wire(static_cast<int>(p)) == nullptr;
+      const auto found = shared ? known.find(&port) : known.end();
+      if (found != known.end()) {
+        result.push_back({component.id, std::string(port.name), from, found->second});
+        continue;
+      }
+      result.push_back(trial.run(from, static_cast<int>(i), static_cast<int>(p)));
+      if (shared) known[&port] = result.back().reasons;
+    }
+  }
+  return result;
+}
+
+std::vector<Connection> sources_for(const Drawing& drawing, const std::string& component, const std::string& port) {
+  std::vector<Connection> result;
+  const int index = drawing.unresolved.find(component);
+  const ComponentModel* to = index >= 0 ? &drawing.unresolved.components[static_cast<std::size_t>(index)] : nullptr;
+  const PortDescriptor* input = to != nullptr && to->descriptor != nullptr ? to->descriptor->port(port) : nullptr;
+  if (input == nullptr || !is_input(to->component_class, input->role)) return result;
+  const Trial trial(drawing);
+  const auto position = static_cast<int>(input - to->descriptor->ports.data());
+  const auto offer = [&](const std::string& text) { result.push_back(trial.run(text, index, position)); };
+  const bool hands_on = input->role == PortRole::Candidate || input->role == PortRole::Request;
+  for (const ComponentModel& giver : drawing.model.components) {
+    if (hands_on || giver.component_class == ComponentClass::Sensation) {
+      if (giver.component_class != ComponentClass::Sensation || !hands_on) offer(giver.id);
+      continue;
+    }
+    for (const OutputShape& output : giver.outputs) offer(fmt::format("{}.{}", giver.id, output.name));
+  }
+  return result;
+}
+
+}  // namespace ganglion::studio

@@ -1,0 +1,129 @@
+#include "ganglion/studio/document/drawing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ganglion/graph/order.h"
+#include "ganglion/kinds/kinds.h"
+#include "ganglion/sim/robot/robot_model.h"
+#include "ganglion/studio/document/tolerant.h"
+
+namespace ganglion::studio {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool inside(const fs::path& file, const fs::path& folder) {
+  std::error_code error;
+  const fs::path real = fs::weakly_canonical(file, error);
+  const fs::path root = fs::weakly_canonical(folder, error);
+  return std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first == root.end();
+}
+
+std::optional<RobotDescription> load_robot(const ControllerModel& model, const config::Value& root,
+                                           const DocumentPlace& place, Problems& problems) {
+  const config::Value* named = root.find("robot");
+  const Place where = named != nullptr ? named->place() : Place{place.file.string(), 1, 1};
+  if (model.robot.empty()) {
+    problems.add(where, ErrorCode::MissingKey, "robot is missing: name the robot.toml it is drawn for");
+    return std::nullopt;
+  }
+  if (!inside(model.robot, place.folder)) {
+    problems.add(where, ErrorCode::NotFound, "robot lies outside of the folder that the studio was started for");
+    return std::nullopt;
+  }
+  Problems in_robot;
+  auto robot = sim::load_description(model.robot, sim_kinds(), {}, in_robot);
+  if (!in_robot.empty()) {
+    const Error first = in_robot.sorted().front();
+    problems.add(where, first.code, "the robot cannot be read: line {}: {}", first.place.line, first.message);
+    return std::nullopt;
+  }
+  return robot;
+}
+
+void read_layout(const config::Value& root, Drawing& drawing) {
+  const config::Value* layout = root.find("layout");
+  if (layout == nullptr || layout->table() == nullptr) return;
+  const auto number = [](const config::Value& value) -> std::optional<double> {
+    if (const auto* whole = value.integer()) return static_cast<double>(*whole);
+    if (const auto* real = value.real()) return std::isfinite(*real) ? std::optional(*real) : std::nullopt;
+    return std::nullopt;
+  };
+  for (const auto& [id, value] : *layout->table()) {
+    const config::Array* pair = value.array();
+    if (pair == nullptr || pair->size() != 2) continue;
+    const auto x = number((*pair)[0]), y = number((*pair)[1]);
+    if (x && y) drawing.layout[id] = {*x, *y};
+  }
+}
+
+/// The component on each line, and the key.
+struct Owner {
+  std::string component;
+  std::string key;
+};
+
+/// What stands on the lines of the text, by its first line.
+std::map<int, Owner> owners_of(const Drawing& drawing) {
+  std::map<int, Owner> owners;
+  for (const SectionSource& section : drawing.map.sections) {
+    if (section.line > 0) owners[section.line] = {};
+    for (const MemberSource& member : section.members) owners[member.line] = {"", member.key};
+  }
+  for (const ComponentSource& source : drawing.sources) {
+    for (const std::size_t index : source.sections) {
+      const SectionSource& section = drawing.map.sections[index];
+      const std::string prefix = index == source.sections.front()
+                                     ? std::string()
+                                     : section.name.substr(source.component_class.size() + 1) + ".";
+      owners[section.line] = {source.id, ""};
+      for (const MemberSource& member : section.members) {
+        Owner& owner = owners[member.line];
+        if (!member.inline_key.empty() && !owner.component.empty()) continue;
+        owner = {source.id, member.key == "id" ? "" : prefix + member.key};
+      }
+    }
+  }
+  return owners;
+}
+
+void assign(Drawing& drawing, const Problems& problems) {
+  const std::map<int, Owner> owners = owners_of(drawing);
+  for (const Error& error : problems.sorted()) {
+    DrawingProblem problem{error, "", ""};
+    auto found = owners.upper_bound(error.place.line);
+    if (error.place.line > 0 && found != owners.begin()) {
+      --found;
+      problem.component = found->second.component;
+      problem.key = found->second.key;
+    }
+    drawing.problems.push_back(std::move(problem));
+  }
+}
+
+}  // namespace
+
+Drawing open_drawing(std::string_view text, const DocumentPlace& place) {
+  Drawing drawing;
+  drawing.map = map_source(text);
+  drawing.sources = components_of(drawing.map, text);
+  Problems problems;
+  const config::Value root = parse_tolerantly(text, drawing.map, place.file.string(), problems);
+  drawing.unresolved = read_controller(root, controller_kinds(), problems);
+  read_layout(root, drawing);
+  std::error_code error;
+  if (!drawing.unresolved.robot.empty() && inside(drawing.unresolved.robot, place.folder)) {
+    drawing.robot_path = fs::relative(drawing.unresolved.robot, place.folder, error);
+  }
+  drawing.robot = load_robot(drawing.unresolved, root, place, problems);
+  drawing.model = drawing.unresolved;
+  if (drawing.robot) {
+    resolve(drawing.model, *drawing.robot, problems);
+    order(drawing.model, problems);
+  }
+  assign(drawing, problems);
+  return drawing;
+}
+
+}  // namespace ganglion::studio

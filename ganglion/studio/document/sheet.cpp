@@ -1,0 +1,134 @@
+#include "ganglion/studio/document/sheet.h"
+
+#include <algorithm>
+#include <unordered_set>
+
+namespace ganglion::studio {
+
+void Sheet::look() {
+  map_ = map_source(text_);
+  components_ = components_of(map_, text_);
+}
+
+const ComponentSource* Sheet::find(std::string_view id) const noexcept {
+  if (id.empty()) return nullptr;
+  for (const ComponentSource& component : components_) {
+    if (component.id == id) return &component;
+  }
+  return nullptr;
+}
+
+std::vector<std::string> Sheet::ids() const {
+  std::vector<std::string> result;
+  for (const ComponentSource& component : components_) result.push_back(component.id);
+  return result;
+}
+
+std::string Sheet::free_id(const std::string& wanted) const {
+  const std::vector<std::string> known = ids();
+  const std::unordered_set<std::string> taken(known.begin(), known.end());
+  if (!taken.contains(wanted)) return wanted;
+  std::size_t letters = wanted.size();  // "avoid_2" goes on with "avoid_3"
+  while (letters > 0 && wanted[letters - 1] >= '0' && wanted[letters - 1] <= '9') --letters;
+  const bool numbered = letters > 1 && letters < wanted.size() && wanted[letters - 1] == '_';
+  const std::string stem = numbered ? wanted.substr(0, letters - 1) : wanted;
+  for (int number = 2;; ++number) {
+    std::string id = fmt::format("{}_{}", stem, number);
+    if (!taken.contains(id)) return id;
+  }
+}
+
+std::string Sheet::prefix_of(const ComponentSource& component, std::size_t section) const {
+  if (section == component.sections.front()) return "";
+  return map_.sections[section].name.substr(component.component_class.size() + 1) + ".";
+}
+
+std::optional<Sheet::Found> Sheet::member(std::string_view id, std::string_view key) const {
+  if (id.empty()) {
+    const MemberSource* found = map_.sections.front().member(key);
+    return found != nullptr ? std::optional(Found{0, found}) : std::nullopt;
+  }
+  const ComponentSource* component = find(id);
+  if (component == nullptr) return std::nullopt;
+  for (const std::size_t index : component->sections) {
+    const std::string prefix = prefix_of(*component, index);
+    if (!key.starts_with(prefix)) continue;
+    if (const MemberSource* found = map_.sections[index].member(key.substr(prefix.size()))) return Found{index, found};
+  }
+  return std::nullopt;
+}
+
+std::vector<Sheet::Input> Sheet::inputs() const {
+  std::vector<Input> result;
+  for (const ComponentSource& component : components_) {
+    for (const std::size_t index : component.sections) {
+      const std::string prefix = prefix_of(component, index);
+      for (const MemberSource& member : map_.sections[index].members) {
+        const std::string key = prefix + member.key;
+        if (key.starts_with("in.")) result.push_back({&component, key.substr(3), &member, index});
+      }
+    }
+  }
+  return result;
+}
+
+void Sheet::commit() {
+  std::stable_sort(changes_.begin(), changes_.end(),
+                   [](const Change& a, const Change& b) { return a.region.begin < b.region.begin; });
+  std::string text;
+  text.reserve(text_.size() + 256);
+  std::size_t at = 0;
+  for (const Change& change : changes_) {
+    if (change.region.begin < at) continue;  // lies in what is gone already
+    text.append(text_, at, change.region.begin - at);
+    text += change.by;
+    at = change.region.end;
+  }
+  text.append(text_, at);
+  text_ = std::move(text);
+  changes_.clear();
+  look();
+}
+
+void Sheet::set(std::string_view id, const std::string& key, const std::string& toml) {
+  if (const auto found = member(id, key)) {
+    replace(found->member->value, toml);
+    return;
+  }
+  const ComponentSource* component = find(id);
+  std::size_t section = 0;
+  std::string rest = key;
+  if (component != nullptr) {
+    section = component->sections.front();
+    for (const std::size_t index : component->sections) {  // [acting.in] takes in.left as left
+      const std::string prefix = prefix_of(*component, index);
+      if (prefix.empty() || !key.starts_with(prefix)) continue;
+      section = index;
+      rest = key.substr(prefix.size());
+    }
+  }
+  const std::size_t at = map_.sections[section].body_end;
+  const bool open_line = at > 0 && text_[at - 1] != '\n';
+  insert(at, fmt::format("{}{} = {}\n", open_line ? "\n" : "", rest, toml));
+}
+
+void Sheet::erase(std::string_view, const Found& found) { replace(found.member->lines, ""); }
+
+void Sheet::expand_inline(std::string_view id, std::string_view key) {
+  const auto whole = member(id, key);
+  if (!whole || !whole->member->inline_key.empty()) return;
+  std::string lines;
+  for (const MemberSource& member : map_.sections[whole->section].members) {
+    if (member.inline_key != whole->member->key) continue;
+    lines += fmt::format("{} = {}\n", member.key, member.value.of(text_));
+  }
+  if (lines.empty()) return;
+  const std::string_view rest = Region{whole->member->value.end, whole->member->lines.end}.of(text_);
+  if (const auto hash = rest.find('#'); hash != std::string_view::npos) {  // the comment behind it stays, on top
+    lines.insert(0, fmt::format("{}\n", rest.substr(hash, rest.find('\n', hash) - hash)));
+  }
+  replace(whole->member->lines, lines);
+  commit();
+}
+
+}  // namespace ganglion::studio

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ganglion/base/result.h"
+#include "ganglion/studio/document/source_map.h"
+
+namespace ganglion::studio {
+
+/// A controller's text while it is being changed: finds what stands where, and writes in the places found.
+class Sheet {
+ public:
+  explicit Sheet(std::string text) : text_(std::move(text)) { look(); }
+
+  const std::string& text() const noexcept { return text_; }
+  const SourceMap& map() const noexcept { return map_; }
+  const std::vector<ComponentSource>& components() const noexcept { return components_; }
+  std::string take() noexcept { return std::move(text_); }
+
+  /// Null where there is none.
+  const ComponentSource* find(std::string_view id) const noexcept;
+  std::vector<std::string> ids() const;
+  /// Whether the id is free, as a component and in the layout.
+  bool is_free(std::string_view id) const noexcept { return find(id) == nullptr; }
+  /// `wanted`, or with the first number behind it that makes it free.
+  std::string free_id(const std::string& wanted) const;
+
+  /// A member of a component by its whole key; of the file itself where `id` is "".
+  struct Found {
+    std::size_t section;
+    const MemberSource* member;
+  };
+  std::optional<Found> member(std::string_view id, std::string_view key) const;
+  /// All members whose whole key is "in.*", of every component.
+  struct Input {
+    const ComponentSource* component;
+    std::string port;
+    const MemberSource* member;
+    std::size_t section;
+  };
+  std::vector<Input> inputs() const;
+
+  /// Notes a change; nothing moves until commit(). Regions must not overlap.
+  void replace(Region region, std::string by) { changes_.push_back({region, std::move(by)}); }
+  void insert(std::size_t at, std::string what) { replace({at, at}, std::move(what)); }
+  void commit();
+
+  /// Notes: the member has this value, made where it is missing.
+  void set(std::string_view id, const std::string& key, const std::string& toml);
+  /// Notes: the member is gone, with its line and the comment on it.
+  void erase(std::string_view id, const Found& found);
+  /// Commits at once: in = { left = "a" } becomes in.left = "a".
+  void expand_inline(std::string_view id, std::string_view key);
+
+ private:
+  struct Change {
+    Region region;
+    std::string by;
+  };
+  void look();
+  std::string prefix_of(const ComponentSource& component, std::size_t section) const;
+
+  std::string text_;
+  SourceMap map_;
+  std::vector<ComponentSource> components_;
+  std::vector<Change> changes_;
+};
+
+}  // namespace ganglion::studio

@@ -1,0 +1,71 @@
+#include "ganglion/studio/document/tolerant.h"
+
+#include <algorithm>
+
+namespace ganglion::studio {
+namespace {
+
+constexpr int kMostRetries = 50;
+
+/// Makes a region white, line ends aside, so that places behind it stay as they are.
+void blank(std::string& text, Region region) {
+  for (std::size_t i = region.begin; i < region.end; ++i) {
+    if (text[i] != '\n') text[i] = ' ';
+  }
+}
+
+/// Blanks every header and member that cannot be read even by itself.
+void blank_broken(std::string& text, const SourceMap& map, const std::string& file_name, Problems& problems) {
+  const auto look = [&](Region lines, int line) {
+    auto alone = config::parse(lines.of(text), file_name);
+    if (alone) return;
+    Error error = alone.error();
+    if (error.place.line > 0) error.place.line += line - 1;
+    problems.add(std::move(error));
+    blank(text, lines);
+  };
+  for (const SectionSource& section : map.sections) {
+    if (section.line > 0) look(section.header, section.line);
+    for (const MemberSource& member : section.members) {
+      if (member.inline_key.empty()) look(member.lines, member.line);
+    }
+  }
+}
+
+/// The header or member on a line, or the last one before it.
+Region region_at(const SourceMap& map, int line) {
+  Region found;
+  for (const SectionSource& section : map.sections) {
+    if (section.line > 0 && section.line <= line) found = section.header;
+    for (const MemberSource& member : section.members) {
+      if (member.line <= line) found = member.lines;
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+config::Value parse_tolerantly(std::string_view text, const SourceMap& map, const std::string& file_name,
+                               Problems& problems) {
+  auto value = config::parse(text, file_name);
+  if (value) return std::move(*value);
+  if (value.error().code == ErrorCode::TooLarge) {
+    problems.add(value.error());
+    return config::Value(config::Members{}, {file_name, 1, 1});
+  }
+  std::string left(text);
+  blank_broken(left, map, file_name, problems);
+  for (int i = 0; i < kMostRetries; ++i) {  // what is wrong only together: a key that comes twice
+    value = config::parse(left, file_name);
+    if (value) return std::move(*value);
+    problems.add(value.error());
+    const Region region = region_at(map, value.error().place.line);
+    const std::string before = left;
+    blank(left, region);
+    if (left == before) break;
+  }
+  return config::Value(config::Members{}, {file_name, 1, 1});
+}
+
+}  // namespace ganglion::studio
