@@ -56,4 +56,9 @@ SenseFrame make_sense_frame(const RobotDescription& description);
 /// A frame of the described size: safe values.
 ActFrame make_act_frame(const RobotDescription& description);
 
+/// At the boundary between application and controller a number has one spelling, whatever carried it: -0 is 0, and
+/// there is one NaN. So a run over a link has the bits of a run within one program.
+void make_canonical(SenseFrame& frame) noexcept;
+void make_canonical(ActFrame& frame) noexcept;
+
 }  // namespace ganglion
