@@ -49,6 +49,8 @@ class Application {
   virtual void sense(std::span<SenseFrame> frames) noexcept = 0;
   /// Carries the commands out for step_s, for one robot or many; then the next tick begins.
   virtual void step(std::span<const ActFrame> frames, double step_s) noexcept = 0;
+  /// Why nothing can be sensed and done any more; null while all is well. Looked at between ticks.
+  virtual const Error* failure() const noexcept { return nullptr; }
 };
 
 /// A frame of the described size: no reading yet (NaN), ages infinite.

@@ -60,8 +60,8 @@ std::uint32_t ttl_ms_of(std::span<const ActFrame> frames) noexcept {
 void write_act(const ActFrame& frame, std::uint32_t ttl_ms, bool floats, wire::RobotAct& out) {
   write_numbers(frame.values, floats, *out.mutable_values(), *out.mutable_values32());
   const int channels = static_cast<int>(frame.ttl_s.size());
-  const bool common = std::all_of(frame.ttl_s.begin(), frame.ttl_s.end(),
-                                  [ttl_ms](double ttl_s) { return ttl_s == ttl_ms / 1000.0; });
+  const bool common =
+      std::all_of(frame.ttl_s.begin(), frame.ttl_s.end(), [ttl_ms](double ttl_s) { return ttl_s == ttl_ms / 1000.0; });
   out.mutable_ttl_s()->Resize(common ? 0 : channels, 0);
   if (!common) std::copy(frame.ttl_s.begin(), frame.ttl_s.end(), out.mutable_ttl_s()->begin());
   const bool plain = std::all_of(frame.origins.begin(), frame.origins.end(),

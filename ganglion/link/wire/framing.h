@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "ganglion/base/result.h"
 
@@ -33,7 +34,8 @@ class FrameReader {
   Result<std::optional<std::string_view>> next();
   /// How the stream is encoded; none before its first byte. Of packets: how the last one was.
   std::optional<Encoding> encoding() const noexcept { return encoding_; }
-  std::uint32_t damaged() const noexcept { return damaged_; }
+  /// How many were left out since the last call.
+  std::uint32_t take_damaged() noexcept { return std::exchange(damaged_, 0); }
 
  private:
   Result<std::optional<std::string_view>> next_line();
