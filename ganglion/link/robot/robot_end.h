@@ -54,6 +54,8 @@ class RobotEnd {
   void shut_down(const std::string& reason, double now_s);
 
   const LinkedRobot& robot() const noexcept { return robot_; }
+  /// How many controllers have left in order, or were made to.
+  std::uint32_t sessions_ended() const noexcept { return sessions_ended_; }
 
  private:
   struct Session {
@@ -104,6 +106,7 @@ class RobotEnd {
   std::map<PeerId, Peer> peers_;
   PeerId next_id_ = 1;
   std::vector<PeerId> stirred_;
+  std::uint32_t sessions_ended_ = 0;
   std::optional<Session> session_;
   bool running_ = false;  // the robot's own clock goes
   double next_tick_s_ = 0;

@@ -198,6 +198,7 @@ void RobotEnd::end_session(const std::string& why) {
   robot_.take_safe_values();
   log(fmt::format("session ended: {}", why));
   session_.reset();
+  ++sessions_ended_;
 }
 
 }  // namespace ganglion::link
