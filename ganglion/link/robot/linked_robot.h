@@ -26,10 +26,9 @@ class LinkedRobot {
   void take_safe_values() noexcept;
   /// The commands are carried out for step_s, and have that much less time to live afterwards.
   void step(double step_s) noexcept;
-  /// Lets time pass for the commands without carrying them out.
-  void age_commands(double elapsed_s) noexcept;
-  /// Whether any command that is not safe still has time to live.
-  bool commanded() const noexcept;
+  /// Lets time pass for the commands without carrying them out. Those that live shorter than a tick of the robot would
+  /// never be carried out: of a fresh command `keep_s` of its life are spared.
+  void age_commands(double elapsed_s, double keep_s = 0) noexcept;
 
   void write(bool floats, wire::Sense& out) const;
   void write_truths(std::vector<GoalsTold>& told, wire::Sense& out) const;
