@@ -18,6 +18,7 @@ LinkedRobot::LinkedRobot(Application& application, const sim::Witness* witness)
   if (has_truth()) {
     for (const sim::MoverState& mover : witness_->movers()) describe_.add_movers(std::string(mover.id));
   }
+  look();
 }
 
 Result<void> LinkedRobot::reset(std::uint64_t seed, std::uint32_t episode) {

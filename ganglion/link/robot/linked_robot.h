@@ -10,7 +10,8 @@ namespace ganglion::link {
 /// The robots of an application as the link sees them: the present tick, its frames, and the commands that hold.
 class LinkedRobot {
  public:
-  /// `witness` is null where nothing but sensations is known. Both outlive this.
+  /// `witness` is null where nothing but sensations is known. Both outlive this; the application has been
+  /// reset.
   LinkedRobot(Application& application, const sim::Witness* witness);
 
   const RobotDescription& description() const noexcept { return application_.description(); }
