@@ -211,7 +211,8 @@ void ControllerEnd::heard_beat(double now_s) {
   if (in_.beat.number() != beat_.number()) return;
   const double robot_s = in_.beat.time_ms() != 0 ? in_.beat.time_ms() / 1000.0 : in_.beat.time_s();
   statistics_.clock_offset_s = robot_s - (beat_s_ + now_s) / 2;
-  if (config_.pace == wire::FREE_RUNNING) statistics_.round_trip_s = now_s - beat_s_;
+  if (config_.pace == wire::FREE_RUNNING || config_.role == wire::WATCH) statistics_.round_trip_s = now_s - beat_s_;
+  ++beats_answered_;
 }
 
 void ControllerEnd::beat(double now_s) {
