@@ -133,11 +133,10 @@ Sizes sizes_of(int robots, link::Encoding encoding) {
   sense.set_tick(kExchanges / 2);
   link::wire::Act act;
   act.set_tick(kExchanges / 2);
-  act.set_ttl_ms(300);
   act.set_step_s(0.1);
   ActFrame frame = make_act_frame(idle.description());
   frame.origins = {CommandOrigin::Commanded};
-  for (int n = 0; n < robots; ++n) link::write_act(frame, 300, false, *act.add_robots());
+  link::write_acts(std::vector<ActFrame>(static_cast<std::size_t>(robots), frame), false, act);
   std::string act_bytes, sense_bytes;
   link::FrameWriter writer(link::Carrier::Stream, encoding);
   const bool fits = writer.append(act, act_bytes) && writer.append(sense, sense_bytes);

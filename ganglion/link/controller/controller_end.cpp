@@ -42,15 +42,10 @@ void ControllerEnd::reset(std::uint64_t seed, std::uint32_t episode, double now_
 }
 
 void ControllerEnd::act(std::span<const ActFrame> frames, double step_s, double now_s) {
-  const std::uint32_t ttl_ms = ttl_ms_of(frames);
-  act_.set_tick(sense_.tick());
-  act_.set_ttl_ms(ttl_ms);
   const bool lock_step = config_.pace == wire::LOCK_STEP;
+  act_.set_tick(sense_.tick());
   act_.set_step_s(lock_step ? step_s : 0);
-  while (act_.robots_size() < static_cast<int>(frames.size())) act_.add_robots();
-  for (std::size_t n = 0; n < frames.size(); ++n) {
-    write_act(frames[n], ttl_ms, config_.floats, *act_.mutable_robots(static_cast<int>(n)));
-  }
+  write_acts(frames, config_.floats, act_);
   wanted_tick_ = sense_.tick() + 1;
   if (lock_step) {
     want(Wanted::Answer, now_s);

@@ -96,16 +96,16 @@ class Examination {
   void first_frame() {
     if (!description_) return;
     const wire::Sense& sense = end_.sense();
-    const int robots = std::max(1, static_cast<int>(end_.describe().robots()));
-    SenseFrame frame = make_sense_frame(*description_);
-    bool fits = sense.robots_size() == robots;
-    for (const wire::RobotSense& robot : sense.robots()) fits = fits && read_sense(robot, frame);
-    tell(fits, fits
-                   ? fmt::format("its frames fit the description; it is at tick {}", sense.tick())
-                   : fmt::format("its frames do not fit the description: each of {} robots must send {} values, and {} "
-                                 "ages or none",
-                                 robots, frame.values.size(), frame.ages_s.size()));
-    if (fits) check_values(frame);
+    std::vector<SenseFrame> frames(std::max(1u, end_.describe().robots()), make_sense_frame(*description_));
+    if (!read_senses(sense, frames)) {
+      return tell(false,
+                  fmt::format("its frames do not fit the description: of {} robots Sense must have {} values, and "
+                              "{} ages or none",
+                              frames.size(), frames.size() * frames.front().values.size(),
+                              frames.size() * frames.front().ages_s.size()));
+    }
+    tell(true, fmt::format("its frames fit the description; it is at tick {}", sense.tick()));
+    for (const SenseFrame& frame : frames) check_values(frame);
   }
 
   void check_values(const SenseFrame& frame) {
