@@ -40,6 +40,8 @@ class RobotEnd {
   /// What is to be sent, and how much of it was.
   std::string_view outgoing(PeerId peer) const;
   void sent(PeerId peer, std::size_t bytes, double now_s);
+  /// Whether it is the one who commands.
+  bool commands(PeerId peer) const noexcept { return session_ && session_->peer == peer; }
   /// Once nothing is outgoing, the connection is to be closed.
   bool closing(PeerId peer) const;
   /// The connection is to be closed whatever is outgoing.
