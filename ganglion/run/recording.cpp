@@ -70,8 +70,7 @@ bool stays_inside(const fs::path& path) {
 
 }  // namespace
 
-Result<Recording> Recording::start(const Prepared& prepared, const RunOptions& options,
-                                   const sim::Simulation& simulation,
+Result<Recording> Recording::start(const Prepared& prepared, const RunOptions& options, const RunRobots& robots,
                                    const std::vector<std::unique_ptr<Controller>>& controllers) {
   Recording recording;
   if (options.run_file.empty()) return recording;
@@ -86,8 +85,11 @@ Result<Recording> Recording::start(const Prepared& prepared, const RunOptions& o
   }
   recording.criterion_ = text_of(prepared.experiment.success);
   recording.recorder_->attach(kExperienceAttachment, export_parts(to_parts(options.experience)));
-  recording.writer_ = std::make_unique<RunWriter>(*recording.recorder_, prepared.experiment, prepared.controller,
-                                                  *prepared.robot, simulation, controllers);
+  recording.writer_ =
+      std::make_unique<RunWriter>(*recording.recorder_, prepared.experiment, prepared.controller, robots, controllers);
+  sim::World world(prepared.ground);
+  world.reset(options.seed, options.episode);
+  recording.writer_->write_scene(world, *prepared.robot, prepared.controller);
   return recording;
 }
 

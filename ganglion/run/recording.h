@@ -5,6 +5,7 @@
 #include "ganglion/experience/stored_part.h"
 #include "ganglion/record/run_file.h"
 #include "ganglion/run/run.h"
+#include "ganglion/run/run_robots.h"
 #include "ganglion/run/run_writer.h"
 
 namespace ganglion {
@@ -13,7 +14,7 @@ namespace ganglion {
 /// experience the run started from. Without a file to write to, all calls do nothing.
 class Recording {
  public:
-  static Result<Recording> start(const Prepared& prepared, const RunOptions& options, const sim::Simulation& simulation,
+  static Result<Recording> start(const Prepared& prepared, const RunOptions& options, const RunRobots& robots,
                                  const std::vector<std::unique_ptr<Controller>>& controllers);
   void write(std::uint32_t tick, double time_s) {
     if (writer_) writer_->write(tick, time_s);

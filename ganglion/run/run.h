@@ -20,6 +20,7 @@ struct RunOptions {
   std::function<bool()> stop;
   /// Called when a goal was concluded and at the end, with what robot 0 has learned.
   std::function<void(const std::vector<ModuleExperience>&)> learned;
+  bool in_process = false;  ///< Simulate the robots here, whatever address the experiment names.
 };
 
 struct Contacts {
@@ -39,6 +40,7 @@ struct RunResult {
   Contacts contacts;  ///< Of all robots.
   Measures measures;  ///< Of robot 0; with several robots the worst of each is not taken: see docs/manual/run.md.
   std::vector<std::string> files;
+  std::optional<Error> link_lost;            ///< The run ended early for it.
   std::optional<Error> record_error;         ///< The run was carried out, but its file is not whole.
   std::vector<ModuleExperience> experience;  ///< Of robot 0 at the end.
 };
@@ -50,6 +52,8 @@ Result<RunResult> run(const Prepared& prepared, const RunOptions& options);
 
 /// The reason of a run that `progress` or `stop` ended, before the criteria it did not meet.
 inline constexpr std::string_view kInterrupted = "interrupted";
+/// The same of one whose robots could not be reached any more; what happened follows.
+inline constexpr std::string_view kLinkLost = "link lost";
 
 /// Robots whose components' digests a run tells one by one: enough to compare by, and no burden on a swarm's run file.
 inline constexpr std::uint32_t kDigestedRobots = 100;
