@@ -244,8 +244,10 @@ Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
   RunResult result;
   result.seed = options.seed;
   ended(result, "duration over", "se acabó el tiempo");
+  const bool begins = !options.armed || options.armed();
+  if (!begins) ended(result, kInterrupted, "interrumpida");
   const Pace pace(options.pace);
-  const std::uint32_t ticks = ticks_of(prepared);
+  const std::uint32_t ticks = begins ? ticks_of(prepared) : 0;
   std::size_t goals = 0;
   for (std::uint32_t tick = 0; tick < ticks; ++tick) {
     course->decide();

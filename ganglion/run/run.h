@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "ganglion/graph/controller.h"
+#include "ganglion/record/run_sink.h"
 #include "ganglion/run/prepared.h"
 
 namespace ganglion {
@@ -20,6 +21,11 @@ struct RunOptions {
   std::function<bool()> stop;
   /// Called when a goal was concluded and at the end, with what robot 0 has learned.
   std::function<void(const std::vector<ModuleExperience>&)> learned;
+  /// Is told all that a run file would hold, whether there is one or not; called between ticks, by the run's own
+  /// thread.
+  RunSink* watcher = nullptr;
+  /// Called once when all is ready, before the first tick: may hold the run back; false ends it before it begins.
+  std::function<bool()> armed;
   bool in_process = false;  ///< Simulate the robots here, whatever address the experiment names.
 };
 

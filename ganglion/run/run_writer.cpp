@@ -90,7 +90,7 @@ double cell_of(const ControllerModel& model) {
 
 }  // namespace
 
-RunWriter::RunWriter(RunRecorder& recorder, const Experiment& experiment, const ControllerModel& model,
+RunWriter::RunWriter(RunSink& recorder, const Experiment& experiment, const ControllerModel& model,
                      const RunRobots& robots, const std::vector<std::unique_ptr<Controller>>& controllers)
     : recorder_(recorder),
       witness_(robots.witness()),

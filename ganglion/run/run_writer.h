@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ganglion/graph/controller.h"
-#include "ganglion/record/run_recorder.h"
+#include "ganglion/record/run_sink.h"
 #include "ganglion/run/experiment.h"
 #include "ganglion/run/run_robots.h"
 
@@ -16,7 +16,7 @@ namespace ganglion {
 /// change, goals and withdrawals as they happen (docs/manual/run_file.md lists the topics).
 class RunWriter {
  public:
-  RunWriter(RunRecorder& recorder, const Experiment& experiment, const ControllerModel& model, const RunRobots& robots,
+  RunWriter(RunSink& recorder, const Experiment& experiment, const ControllerModel& model, const RunRobots& robots,
             const std::vector<std::unique_ptr<Controller>>& controllers);
   /// Once, before the first tick: the world as the run begins.
   void write_scene(const sim::World& world, const sim::RobotModel& robot, const ControllerModel& model);
@@ -41,7 +41,7 @@ class RunWriter {
   void write_exhibits(int robot, double time_s);
   void log(double time_s, int level, const std::string& name, const std::string& message);
 
-  RunRecorder& recorder_;
+  RunSink& recorder_;
   const sim::Witness* witness_;      ///< Null where nobody knows the truth.
   link::RemoteApplication* remote_;  ///< Null where the robots are simulated here.
   int link_table_ = -1;
