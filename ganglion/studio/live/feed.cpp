@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ganglion/studio/live/messages.h"
+
 namespace ganglion::studio {
 namespace {
 
@@ -9,11 +11,6 @@ constexpr std::size_t kMessages = 1024;
 constexpr std::size_t kRows = 1024;          // 10 s at 100 Hz
 constexpr std::size_t kRowsOfEach = 4;       // where there are many robots
 constexpr std::size_t kRowValues = 4 << 20;  // in all: 32 MiB
-
-/// Told once, and to be told whatever happens.
-bool is_event(std::string_view schema) {
-  return schema != "foxglove.Grid" && schema != "ganglion.Path" && schema != "ganglion.Movers";
-}
 
 }  // namespace
 
@@ -52,7 +49,7 @@ void LiveFeed::write_row(int table, std::uint32_t tick, double time_s, std::span
 void LiveFeed::write_json(std::string_view topic, std::string_view schema_name, double time_s, std::string_view json) {
   Message message{std::string(topic), std::string(schema_name), time_s, std::string(json)};
   if (flush() && push(message)) return;
-  const auto older = is_event(schema_name)
+  const auto older = !sample_kind_of(schema_name)
                          ? kept_.end()
                          : std::find_if(kept_.begin(), kept_.end(), [&](const Message& m) { return m.topic == topic; });
   if (older != kept_.end()) {

@@ -2,36 +2,13 @@
 
 #include <algorithm>
 
+#include "ganglion/studio/live/messages.h"
+
 namespace ganglion::studio {
 namespace {
 
 constexpr std::size_t kEvents = 20'000;  // kept for viewers that come back
 constexpr std::size_t kRowsAtOnce = 4;   // of a stream, of all that came since the last look
-
-Json parsed(const std::string& text) {
-  Json json = Json::parse(text, nullptr, false);
-  return json.is_discarded() ? Json() : json;
-}
-
-std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
-
-std::optional<SampleKind> kind_of(std::string_view schema) {
-  if (schema == "foxglove.Grid") return SampleKind::Grid;
-  if (schema == "ganglion.Path") return SampleKind::Path;
-  if (schema == "ganglion.Movers") return SampleKind::Movers;
-  return std::nullopt;
-}
-
-int robot_of(std::string_view topic) {
-  constexpr std::string_view kRobot = "/robot";
-  int number = 0;
-  if (!topic.starts_with(kRobot)) return 0;
-  for (const char c : topic.substr(kRobot.size())) {
-    if (c < '0' || c > '9' || number > 100'000) break;
-    number = number * 10 + (c - '0');
-  }
-  return number;
-}
 
 }  // namespace
 
@@ -146,19 +123,10 @@ void Hub::take_rows() {
 }
 
 void Hub::take(LiveFeed::Message& message) {
-  if (const auto kind = kind_of(message.schema)) {
+  if (const auto kind = sample_kind_of(message.schema)) {
     take_state(message, *kind);
-    return;
-  }
-  Json content = parsed(message.json);
-  if (!content.is_object()) return;
-  content["time_s"] = message.time_s;
-  if (message.schema == "ganglion.Goal") {
-    content["robot"] = robot_of(message.topic);
-    event("goal", std::move(content));
-  } else if (message.schema == "foxglove.Log") {
-    content.erase("timestamp");
-    event("log", std::move(content));
+  } else if (auto told = event_of(message.topic, message.schema, message.time_s, message.json)) {
+    event(told->name, std::move(told->content));
   }
 }
 
