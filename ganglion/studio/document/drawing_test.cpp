@@ -87,8 +87,8 @@ TEST(Drawing, DrawsABrokenFileButForItsBrokenLines) {
 }
 
 TEST(Drawing, OpensAnythingAtAll) {
-  for (const std::string text : {"", "[", "[[acting]]", "\xff\xfe", "= 1\n=\n[[[[", "[layout]\na = [1", "a = {", "'''",
-                                 "[[acting]]\nin = 3\nid = 4"}) {
+  for (const std::string& text : {"", "[", "[[acting]]", "\xff\xfe", "= 1\n=\n[[[[", "[layout]\na = [1", "a = {", "'''",
+                                  "[[acting]]\nin = 3\nid = 4"}) {
     EXPECT_FALSE(opened(text)["runnable"]) << text;
   }
 }

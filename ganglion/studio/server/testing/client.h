@@ -20,7 +20,7 @@ struct Answer {
 };
 
 /// Sends exactly these bytes to a port of this machine and reads until the other side closes or the answer is whole.
-Answer exchange(std::uint16_t port, const std::string& bytes);
+Answer talk(std::uint16_t port, const std::string& bytes);
 
 /// A client that a server lets in; each header can be left out or changed.
 struct Client {
