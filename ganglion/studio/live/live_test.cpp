@@ -24,7 +24,7 @@ std::string grid_json(const std::vector<std::uint8_t>& cells) {
 }
 
 /// What a page holds after applying a sample.
-void apply(const std::string& sample, std::vector<std::uint8_t>& cells) {
+void apply_sample(const std::string& sample, std::vector<std::uint8_t>& cells) {
   if (at<std::uint32_t>(sample, 16) == 0) cells.assign(6, 0);
   const auto count = at<std::uint32_t>(sample, 56);
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -52,8 +52,8 @@ TEST(GridState, TellsTheWholeAndThenWhatChanged) {
   EXPECT_EQ(at<std::uint32_t>(delta, 16), 1u);
   EXPECT_EQ(at<std::uint32_t>(delta, 56), 2u) << "one cell that came, one that went back to 0";
   std::vector<std::uint8_t> page;
-  apply(whole, page);
-  apply(delta, page);
+  apply_sample(whole, page);
+  apply_sample(delta, page);
   EXPECT_EQ(page, (std::vector<std::uint8_t>{0, 1, 9, 0, 0, 0}));
 }
 
@@ -61,13 +61,13 @@ TEST(GridState, GivesTheSameToOneWhoMissedStatesBetween) {
   GridState grid;
   std::vector<std::uint8_t> cells(6, 0), page;
   grid.take(grid_json(cells), 1);
-  apply(grid.sample({1, 1, 0}, 0), page);
+  apply_sample(grid.sample({1, 1, 0}, 0), page);
   for (std::uint32_t seq = 2; seq < 6; ++seq) {
     cells[seq] = static_cast<std::uint8_t>(seq);
     cells[0] = static_cast<std::uint8_t>(seq * 10);
     grid.take(grid_json(cells), seq);
   }
-  apply(grid.sample({1, 5, 0}, 1), page);
+  apply_sample(grid.sample({1, 5, 0}, 1), page);
   EXPECT_EQ(page, cells);
 }
 
@@ -196,7 +196,7 @@ TEST_F(HubTest, SendsAMapToALateViewerWholeAndToOthersWhatChanged) {
     std::uint32_t cells = 0;
     while (const auto out = viewer.next()) {
       if (!out->binary) continue;
-      apply(*out->bytes, page);
+      apply_sample(*out->bytes, page);
       cells = at<std::uint32_t>(*out->bytes, 56);
     }
     return cells;
