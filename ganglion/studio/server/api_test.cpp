@@ -234,7 +234,8 @@ TEST_F(Studio, RunsWhatIsDrawnWithoutSavingIt) {
   const std::string saved = read_file(folder() / "controller.toml").value();
   Watcher watcher(client);
   Json body = short_run();
-  body["controller"] = {{"path", "controller.toml"}, {"text", "format = 1\n"}};
+  body["controller"] = {{"path", "controller.toml"},
+                        {"text", "format = 1\n[[acting]]\nid = \"a\"\nkind = \"Nothing\"\n"}};
   const Answer refused = client.post("/api/run/start", body);
   EXPECT_EQ(refused.status, 400u);
   EXPECT_FALSE(refused.json()["error"]["arguments"]["problems"].empty());

@@ -30,7 +30,7 @@ struct Client {
 
   Answer get(const std::string& target) const { return send("GET", target, ""); }
   Answer post(const std::string& target, const nlohmann::ordered_json& body) const {
-    return send("POST", target, body.dump());
+    return send("POST", target, body.is_null() ? "{}" : body.dump());
   }
   Answer send(const std::string& method, const std::string& target, const std::string& body) const;
 };
