@@ -49,7 +49,7 @@ void ControllerEnd::act(std::span<const ActFrame> frames, double step_s, double 
   act_.set_step_s(lock_step ? step_s : 0);
   while (act_.robots_size() < static_cast<int>(frames.size())) act_.add_robots();
   for (std::size_t n = 0; n < frames.size(); ++n) {
-    write_act(frames[n], ttl_ms, config_.floats, *act_.mutable_robots(static_cast<int>(n)));
+    write_act(frames[n], ttl_ms, floats_, *act_.mutable_robots(static_cast<int>(n)));
   }
   wanted_tick_ = sense_.tick() + 1;
   if (lock_step) {
@@ -145,6 +145,7 @@ void ControllerEnd::heard_hello() {
   }
   token_ = in_.hello.token().substr(0, 100);
   robot_program_ = printable(in_.hello.name(), 100);
+  floats_ = in_.hello.floats();
 }
 
 void ControllerEnd::heard_bye(double now_s) {
