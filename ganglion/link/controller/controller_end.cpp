@@ -225,17 +225,17 @@ void ControllerEnd::beat(double now_s) {
 void ControllerEnd::poll(double now_s) {
   if (failure_) return;
   statistics_.lost += reader_.take_damaged();
-  if (!done() && now_s - asked_s_ >= config_.patience_s) {
+  if (!done() && now_s >= asked_s_ + config_.patience_s) {
     return fail(
         fmt::format("no answer for {:.0f} s: is the robot switched on, and nobody else's?", config_.patience_s));
   }
   if (!connected_) return;
-  if (greeted_ && now_s - beat_s_ >= config_.beat_s) beat(now_s);
+  if (greeted_ && now_s >= beat_s_ + config_.beat_s) beat(now_s);
   if (done()) return;
-  const bool mute = now_s - std::max(heard_s_, asked_s_) >= config_.silence_s;
+  const bool mute = now_s >= std::max(heard_s_, asked_s_) + config_.silence_s;
   if (mute && config_.carrier == Carrier::Stream) return disconnected(now_s);
   if (mute) greeted_ = described_ = false;  // the robot may have been unplugged or started again: ask
-  if (config_.carrier == Carrier::Packets && now_s - sent_s_ >= config_.repeat_s) {
+  if (config_.carrier == Carrier::Packets && now_s >= sent_s_ + config_.repeat_s) {
     ++statistics_.repeated;
     repeated_ = true;
     ask_again(now_s);

@@ -18,6 +18,7 @@ LinkedRobot::LinkedRobot(Application& application, const sim::Witness* witness)
   if (has_truth()) {
     for (const sim::MoverState& mover : witness_->movers()) describe_.add_movers(std::string(mover.id));
   }
+  look();
 }
 
 Result<void> LinkedRobot::reset(std::uint64_t seed, std::uint32_t episode) {
@@ -63,11 +64,11 @@ void LinkedRobot::step(double step_s) noexcept {
   look();
 }
 
-void LinkedRobot::age_commands(double elapsed_s) noexcept {
+void LinkedRobot::age_commands(double elapsed_s, double keep_s) noexcept {
   for (ActFrame& frame : act_) {
     std::size_t value = 0;
     for (std::size_t n = 0; n < frame.ttl_s.size(); ++n) {
-      frame.ttl_s[n] = std::max(0.0, frame.ttl_s[n] - elapsed_s);
+      frame.ttl_s[n] = std::max(std::min(frame.ttl_s[n], keep_s), frame.ttl_s[n] - elapsed_s);
       const auto& elements = description().commands[n].elements;
       for (std::size_t e = 0; e < elements.size() && frame.ttl_s[n] <= 0; ++e) {
         frame.values[value + e] = elements[e].safe;
@@ -77,13 +78,6 @@ void LinkedRobot::age_commands(double elapsed_s) noexcept {
       value += elements.size();
     }
   }
-}
-
-bool LinkedRobot::commanded() const noexcept {
-  return std::any_of(act_.begin(), act_.end(), [](const ActFrame& frame) {
-    return std::any_of(frame.origins.begin(), frame.origins.end(),
-                       [](CommandOrigin origin) { return origin == CommandOrigin::Commanded; });
-  });
 }
 
 void LinkedRobot::write(bool floats, wire::Sense& out) const {

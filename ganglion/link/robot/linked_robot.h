@@ -10,7 +10,8 @@ namespace ganglion::link {
 /// The robots of an application as the link sees them: the present tick, its frames, and the commands that hold.
 class LinkedRobot {
  public:
-  /// `witness` is null where nothing but sensations is known. Both outlive this.
+  /// `witness` is null where nothing but sensations is known. Both outlive this; the application has been
+  /// reset.
   LinkedRobot(Application& application, const sim::Witness* witness);
 
   const RobotDescription& description() const noexcept { return application_.description(); }
@@ -26,10 +27,9 @@ class LinkedRobot {
   void take_safe_values() noexcept;
   /// The commands are carried out for step_s, and have that much less time to live afterwards.
   void step(double step_s) noexcept;
-  /// Lets time pass for the commands without carrying them out.
-  void age_commands(double elapsed_s) noexcept;
-  /// Whether any command that is not safe still has time to live.
-  bool commanded() const noexcept;
+  /// Lets time pass for the commands without carrying them out. Those that live shorter than a tick of the robot would
+  /// never be carried out: of a fresh command `keep_s` of its life are spared.
+  void age_commands(double elapsed_s, double keep_s = 0) noexcept;
 
   void write(bool floats, wire::Sense& out) const;
   void write_truths(std::vector<GoalsTold>& told, wire::Sense& out) const;

@@ -14,6 +14,15 @@ constexpr std::size_t kEnoughPendingBytes = std::size_t{64} << 10;  // then a sl
 constexpr std::size_t kMaxPendingBytes = std::size_t{3} << 20;      // then it is dropped
 constexpr double kInf = std::numeric_limits<double>::infinity();
 
+/// As it may stand in a message: what somebody sent may be quoted in it.
+std::string plain(std::string_view reason) {
+  std::string text = printable(reason, 500);
+  for (char& byte : text) {
+    if (static_cast<unsigned char>(byte) >= 0x80) byte = '?';
+  }
+  return text;
+}
+
 }  // namespace
 
 RobotEnd::RobotEnd(Application& application, const sim::Witness* witness, RobotEndConfig config)
@@ -123,7 +132,7 @@ void RobotEnd::refuse(Peer& peer, wire::ByeCode code, const std::string& reason)
   if (peer.state == Peer::State::Closing || peer.state == Peer::State::Gone) return;
   wire::Bye bye;
   bye.set_code(code);
-  bye.set_reason(printable(reason, 500));
+  bye.set_reason(plain(reason));
   const bool commanding = peer.state == Peer::State::Commanding;
   peer.state = Peer::State::New;
   // Who has not told an encoding is answered so that a person can read it.
@@ -180,11 +189,11 @@ void RobotEnd::stir(Peer& peer) {
 void RobotEnd::poll(double now_s) {
   for (auto& [id, peer] : peers_) {
     if (peer.carrier == Carrier::Packets) continue;
-    if (peer.state == Peer::State::New && now_s - peer.opened_s >= config_.handshake_s) {
+    if (peer.state == Peer::State::New && now_s >= peer.opened_s + config_.handshake_s) {
       refuse(peer, wire::TOO_SLOW, fmt::format("no Hello within {} s", shortest(config_.handshake_s)));
     }
     if (peer.pending() == 0) peer.unread_s = now_s;
-    if (now_s - peer.unread_s < config_.unread_s) continue;
+    if (now_s < peer.unread_s + config_.unread_s) continue;
     peer.state = Peer::State::Gone;
     stir(peer);
   }

@@ -67,7 +67,8 @@ class RobotEnd {
     bool commanded = false;  // anything at all
     double lost_s = 0;
     std::optional<std::uint32_t> acted;  // tick of the last Act in free-running
-    double acted_s = 0;                  // and until when its age is counted
+    double aged_s = 0;                   // and until when its age is counted
+    bool fresh = false;                  // it was not yet carried out
   };
   void read(PeerId id, Peer& peer, double now_s);
   void handle(FrameKind kind, PeerId id, Peer& peer, double now_s);

@@ -149,7 +149,8 @@ void RobotEnd::act(Peer& peer, double now_s) {
     return refuse(peer, wire::BROKEN, taken.error().message);
   }
   session_->acted = in_.act.tick();
-  session_->acted_s = now_s;
+  session_->aged_s = now_s;
+  session_->fresh = true;
   if (!lock_step) return;
   robot_.step(step_s);
   send_sense(peer, false);
@@ -185,11 +186,13 @@ void RobotEnd::reset(Peer& peer) {
 }
 
 void RobotEnd::run_tick(double now_s) {
+  const double tick_s = robot_.description().tick_s;
   if (session_ && session_->acted) {
-    robot_.age_commands(std::max(0.0, now_s - session_->acted_s));
-    session_->acted_s = now_s + robot_.description().tick_s;  // the step itself takes its part
+    robot_.age_commands(std::max(0.0, now_s - session_->aged_s), session_->fresh ? tick_s : 0);
+    session_->aged_s = now_s + tick_s;  // the step itself takes its part
+    session_->fresh = false;
   }
-  robot_.step(robot_.description().tick_s);
+  robot_.step(tick_s);
   if (session_ && session_->peer) send_sense(peers_.at(*session_->peer), false);
   watch();
 }

@@ -122,6 +122,9 @@ void write_binary(FrameKind kind, const google::protobuf::MessageLite& message, 
 std::string_view name_of(FrameKind kind) noexcept { return kNames[static_cast<std::size_t>(kind)]; }
 
 Result<FrameKind> decode(std::string_view payload, Encoding encoding, Messages& into) {
+  // What is wrong with a frame is told by our own Result; whoever sends us rubbish must not fill somebody's screen.
+  static google::protobuf::LogHandler* const silenced = google::protobuf::SetLogHandler(nullptr);
+  static_cast<void>(silenced);
   return encoding == Encoding::Json ? decode_json(payload, into) : decode_binary(payload, into);
 }
 
