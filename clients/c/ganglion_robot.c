@@ -17,10 +17,10 @@ enum { FIELDS = 11 }; /* no message has one of a higher number that matters here
 typedef struct {
   uint32_t value[FIELDS]; /* of varints: their lower 32 bits */
   uint32_t size[FIELDS];  /* of all others: bytes there are `at` */
-  const uint8_t *at[FIELDS];
+  const uint8_t* at[FIELDS];
 } fields;
 
-static bool read_varint(const uint8_t **at, const uint8_t *end, uint32_t *value) {
+static bool read_varint(const uint8_t** at, const uint8_t* end, uint32_t* value) {
   unsigned shift = 0;
   *value = 0;
   while (*at != end && shift < 70) {
@@ -33,8 +33,8 @@ static bool read_varint(const uint8_t **at, const uint8_t *end, uint32_t *value)
 }
 
 /* False where the bytes follow no rule, or something comes twice: then it is not for one robot. */
-static bool read_fields(const uint8_t *at, uint32_t bytes, fields *out) {
-  const uint8_t *const end = at + bytes;
+static bool read_fields(const uint8_t* at, uint32_t bytes, fields* out) {
+  const uint8_t* const end = at + bytes;
   uint32_t seen = 0;
   for (unsigned n = 0; n < FIELDS; ++n) {
     out->value[n] = out->size[n] = 0;
@@ -66,18 +66,19 @@ static bool read_fields(const uint8_t *at, uint32_t bytes, fields *out) {
 }
 
 /* Low byte first. */
-static uint32_t word_at(const uint8_t *at) {
+static uint32_t word_at(const uint8_t* at) {
   uint32_t word = 0;
   for (unsigned n = 4; n-- > 0;) word = word << 8 | at[n];
   return word;
 }
 
-/* Seconds as a double, in whole ms, good to 21 bits. More than MAX_STEP_MS where that is too long or no such number. */
-static uint32_t ms_at(const uint8_t *at) {
+/* Seconds as a double, good to 21 bits, in whole ms: 0 for 0 only, more than MAX_STEP_MS for what is too long, negative
+ * or no number. */
+static uint32_t ms_at(const uint8_t* at) {
   uint32_t upper = word_at(at + 4);
   const uint32_t shift = 1023 + 20 - (upper >> 20); /* sign and exponent */
   if (shift < 9 || shift > 1023 + 20) return MAX_STEP_MS + 1;
-  if (shift > 31) return 0;
+  if (shift > 30) return upper != 0;
   upper = (upper & 0xFFFFF) | 0x100000;
   return ((upper * 1000 >> (shift - 1)) + 1) >> 1;
 }
@@ -90,30 +91,30 @@ typedef struct {
   uint8_t *at, *end;
 } frame;
 
-static void begin(const ganglion_robot *robot, frame *out, unsigned value_count) {
-  out->at = (uint8_t *)robot->config->values;
+static void begin(const ganglion_robot* robot, frame* out, unsigned value_count) {
+  out->at = (uint8_t*)robot->config->values;
   out->end = out->at + value_count * sizeof(float);
 }
 
-static void prepend(frame *out, uint32_t value) {
+static void prepend(frame* out, uint32_t value) {
   const uint32_t rest = value >> 7;
   if (rest) prepend(out, rest);
   *--out->at = (uint8_t)((value & 0x7F) | (rest ? 0x80 : 0));
 }
 
-static void prepend_number(frame *out, unsigned number, uint32_t value) {
+static void prepend_number(frame* out, unsigned number, uint32_t value) {
   prepend(out, value);
   prepend(out, number << 3 | VARINT);
 }
 
 /* All that was written so far becomes one field. */
-static void wrap(frame *out, unsigned number) {
+static void wrap(frame* out, unsigned number) {
   prepend(out, (uint32_t)(out->end - out->at));
   prepend(out, number << 3 | BYTES);
 }
 
 /* Begins a frame with a text of at most 20 bytes. */
-static void begin_text(const ganglion_robot *robot, frame *out, unsigned number, const char *text) {
+static void begin_text(const ganglion_robot* robot, frame* out, unsigned number, const char* text) {
   unsigned bytes = 0;
   while (text[bytes]) ++bytes;
   begin(robot, out, 0);
@@ -121,13 +122,13 @@ static void begin_text(const ganglion_robot *robot, frame *out, unsigned number,
   wrap(out, number);
 }
 
-static void write(const ganglion_robot *robot, const uint8_t *at, uint32_t bytes) {
+static void write(const ganglion_robot* robot, const uint8_t* at, uint32_t bytes) {
   robot->config->write(robot->config->user, at, bytes);
 }
 
 #ifdef GANGLION_ROBOT_STREAM
 
-static void send(const ganglion_robot *robot, frame *out) {
+static void send(const ganglion_robot* robot, frame* out) {
   const uint32_t bytes = (uint32_t)(out->end - out->at);
   const uint8_t length[4] = {(uint8_t)(bytes >> 24), (uint8_t)(bytes >> 16), (uint8_t)(bytes >> 8), (uint8_t)bytes};
   write(robot, length, 4);
@@ -148,13 +149,13 @@ static uint16_t crc16(uint16_t crc, uint8_t byte) {
 static const uint8_t kZero = 0; /* ends a packet */
 
 /* There are two bytes of room behind the end. */
-static void send(const ganglion_robot *robot, frame *out) {
+static void send(const ganglion_robot* robot, frame* out) {
   uint16_t crc = 0xFFFF;
-  for (const uint8_t *at = out->at; at != out->end; ++at) crc = crc16(crc, *at);
+  for (const uint8_t* at = out->at; at != out->end; ++at) crc = crc16(crc, *at);
   *out->end++ = (uint8_t)(crc >> 8);
   *out->end++ = (uint8_t)crc;
-  for (const uint8_t *at = out->at;; ++at) {
-    const uint8_t *const piece = at;
+  for (const uint8_t* at = out->at;; ++at) {
+    const uint8_t* const piece = at;
     while (at != out->end && *at != 0 && at - piece < 254) ++at;
     uint8_t size = (uint8_t)(at - piece + 1);
     write(robot, &size, 1);
@@ -167,8 +168,8 @@ static void send(const ganglion_robot *robot, frame *out) {
 
 #endif
 
-static void send_sense(const ganglion_robot *robot) {
-  const ganglion_robot_config *config = robot->config;
+static void send_sense(const ganglion_robot* robot) {
+  const ganglion_robot_config* config = robot->config;
   frame out;
   config->sense(config->user, config->values);
   begin(robot, &out, config->sensations);
@@ -182,14 +183,14 @@ static void send_sense(const ganglion_robot *robot) {
 
 /* -- The session ------------------------------------------------------------------------------------------------ */
 
-static void take_safe_values(ganglion_robot *robot) {
-  const ganglion_robot_config *config = robot->config;
+static void take_safe_values(ganglion_robot* robot) {
+  const ganglion_robot_config* config = robot->config;
   for (unsigned n = 0; n < config->commands; ++n) config->values[n] = config->limits[n].safe;
   robot->holds = false;
   config->act(config->user, config->values);
 }
 
-static void close(ganglion_robot *robot) {
+static void close(ganglion_robot* robot) {
 #ifdef GANGLION_ROBOT_STREAM
   robot->closing = true;
 #else
@@ -197,13 +198,13 @@ static void close(ganglion_robot *robot) {
 #endif
 }
 
-static void end_session(ganglion_robot *robot) {
+static void end_session(ganglion_robot* robot) {
   robot->session = robot->accepted = false;
   close(robot);
   take_safe_values(robot);
 }
 
-static void refuse(ganglion_robot *robot, unsigned code, const char *reason) {
+static void refuse(ganglion_robot* robot, unsigned code, const char* reason) {
   frame out;
   begin_text(robot, &out, 1, reason);
   prepend_number(&out, 2, code);
@@ -214,7 +215,7 @@ static void refuse(ganglion_robot *robot, unsigned code, const char *reason) {
   if (code == BROKEN) end_session(robot);
 }
 
-static void begin_session(ganglion_robot *robot) {
+static void begin_session(ganglion_robot* robot) {
   uint32_t random = robot->config->random(robot->config->user);
   for (unsigned n = 0; n < TOKEN_BYTES; ++n, random >>= 4) robot->token[n] = (char)('a' + (random & 15));
   robot->session = true;
@@ -222,7 +223,7 @@ static void begin_session(ganglion_robot *robot) {
   take_safe_values(robot);
 }
 
-static void send_greeting(ganglion_robot *robot, bool resumed) {
+static void send_greeting(ganglion_robot* robot, bool resumed) {
   frame out;
   begin_text(robot, &out, 3, robot->token);
   prepend_number(&out, 10, resumed);
@@ -235,7 +236,7 @@ static void send_greeting(ganglion_robot *robot, bool resumed) {
   send_sense(robot);
 }
 
-static bool same_session(const ganglion_robot *robot, const fields *hello) {
+static bool same_session(const ganglion_robot* robot, const fields* hello) {
   if (!robot->session || hello->size[3] != TOKEN_BYTES) return false;
   for (unsigned n = 0; n < TOKEN_BYTES; ++n) {
     if (hello->at[3][n] != robot->token[n]) return false;
@@ -243,8 +244,8 @@ static bool same_session(const ganglion_robot *robot, const fields *hello) {
   return true;
 }
 
-static void greet(ganglion_robot *robot, const fields *hello, uint32_t now_ms) {
-  const ganglion_robot_config *config = robot->config;
+static void greet(ganglion_robot* robot, const fields* hello, uint32_t now_ms) {
+  const ganglion_robot_config* config = robot->config;
   const bool free_running = hello->value[7] != 0;
   const bool resumed = hello->size[3] > 0;
   if (hello->value[1] != 1) {
@@ -268,10 +269,10 @@ static void greet(ganglion_robot *robot, const fields *hello, uint32_t now_ms) {
 /* -- Commands --------------------------------------------------------------------------------------------------- */
 
 /* `packed` holds a float for each value. */
-static void drive(ganglion_robot *robot, const uint8_t *packed) {
-  const ganglion_robot_config *config = robot->config;
-  const ganglion_robot_limits *limits = config->limits;
-  float *const values = config->values;
+static void drive(ganglion_robot* robot, const uint8_t* packed) {
+  const ganglion_robot_config* config = robot->config;
+  const ganglion_robot_limits* limits = config->limits;
+  float* const values = config->values;
   for (unsigned n = 0; n < config->commands; ++n, ++limits, packed += 4) {
     const union {
       uint32_t bits;
@@ -287,8 +288,8 @@ static void drive(ganglion_robot *robot, const uint8_t *packed) {
   config->act(config->user, values);
 }
 
-static void act_in_lock_step(ganglion_robot *robot, const uint8_t *packed, uint32_t ttl_ms, uint32_t step_ms) {
-  const ganglion_robot_config *config = robot->config;
+static void act_in_lock_step(ganglion_robot* robot, const uint8_t* packed, uint32_t ttl_ms, uint32_t step_ms) {
+  const ganglion_robot_config* config = robot->config;
   const uint32_t held_ms = ttl_ms < step_ms ? ttl_ms : step_ms;
   drive(robot, packed);
   config->step(config->user, held_ms);
@@ -301,8 +302,8 @@ static void act_in_lock_step(ganglion_robot *robot, const uint8_t *packed, uint3
   send_sense(robot);
 }
 
-static void act(ganglion_robot *robot, fields *in, uint32_t now_ms) {
-  const ganglion_robot_config *config = robot->config;
+static void act(ganglion_robot* robot, fields* in, uint32_t now_ms) {
+  const ganglion_robot_config* config = robot->config;
   const uint32_t tick = in->value[1];
   uint32_t ttl_ms = in->value[2] ? in->value[2] : DEFAULT_TTL_MS;
   uint32_t step_ms = in->size[3] == 8 ? ms_at(in->at[3]) : 0;
@@ -330,7 +331,7 @@ static void act(ganglion_robot *robot, fields *in, uint32_t now_ms) {
   }
 }
 
-static void answer_beat(const ganglion_robot *robot, const fields *beat, uint32_t now_ms) {
+static void answer_beat(const ganglion_robot* robot, const fields* beat, uint32_t now_ms) {
   frame out;
   if (beat->value[2]) return; /* an answer itself */
   begin(robot, &out, 0);
@@ -342,7 +343,7 @@ static void answer_beat(const ganglion_robot *robot, const fields *beat, uint32_
 }
 
 /* `echo` is the frame that asked for it. */
-static void reset(ganglion_robot *robot, frame *echo) {
+static void reset(ganglion_robot* robot, frame* echo) {
   take_safe_values(robot);
   robot->next_tick = 0;
   if (robot->config->reset) robot->config->reset(robot->config->user);
@@ -350,9 +351,9 @@ static void reset(ganglion_robot *robot, frame *echo) {
   send_sense(robot);
 }
 
-static void handle(ganglion_robot *robot, uint16_t bytes, uint32_t now_ms) {
+static void handle(ganglion_robot* robot, uint16_t bytes, uint32_t now_ms) {
   frame whole = {robot->config->frame, robot->config->frame + bytes};
-  const uint8_t *at = whole.at + 1;
+  const uint8_t* at = whole.at + 1;
   const unsigned kind = *whole.at >> 3;
   uint32_t size;
   fields in;
@@ -374,10 +375,10 @@ static void handle(ganglion_robot *robot, uint16_t bytes, uint32_t now_ms) {
 
 #ifdef GANGLION_ROBOT_STREAM
 
-static void await_frame(ganglion_robot *robot) { robot->bytes = robot->left = 0; }
+static void await_frame(ganglion_robot* robot) { robot->bytes = robot->left = 0; }
 
 /* `left` counts the bytes of the length that have come. */
-static void take(ganglion_robot *robot, uint8_t byte, uint32_t now_ms) {
+static void take(ganglion_robot* robot, uint8_t byte, uint32_t now_ms) {
   if (robot->left < 4) {
     robot->announced = robot->announced << 8 | byte;
     if (++robot->left < 4) return;
@@ -392,20 +393,20 @@ static void take(ganglion_robot *robot, uint8_t byte, uint32_t now_ms) {
 
 #else
 
-static void await_frame(ganglion_robot *robot) {
+static void await_frame(ganglion_robot* robot) {
   robot->bytes = robot->left = 0;
   robot->crc = 0xFFFF;
   robot->zero_due = false;
 }
 
 /* What is too long gets a CRC that cannot be right. */
-static void put(ganglion_robot *robot, uint8_t byte) {
+static void put(ganglion_robot* robot, uint8_t byte) {
   if (robot->bytes == robot->config->frame_bytes) return;
   robot->crc = crc16(robot->crc, byte);
   robot->config->frame[robot->bytes++] = byte;
 }
 
-static void take(ganglion_robot *robot, uint8_t byte, uint32_t now_ms) {
+static void take(ganglion_robot* robot, uint8_t byte, uint32_t now_ms) {
   if (byte == 0) {
     const bool whole = robot->left == 0 && robot->crc == 0; /* that of bytes and their CRC is 0 */
     if (whole && robot->bytes > 2) handle(robot, (uint16_t)(robot->bytes - 2), now_ms);
@@ -422,7 +423,7 @@ static void take(ganglion_robot *robot, uint8_t byte, uint32_t now_ms) {
 
 #endif
 
-bool ganglion_robot_receive(ganglion_robot *robot, uint8_t byte, uint32_t now_ms) {
+bool ganglion_robot_receive(ganglion_robot* robot, uint8_t byte, uint32_t now_ms) {
 #ifdef GANGLION_ROBOT_STREAM
   if (!robot->closing) take(robot, byte, now_ms);
   return !robot->closing;
@@ -434,13 +435,13 @@ bool ganglion_robot_receive(ganglion_robot *robot, uint8_t byte, uint32_t now_ms
 
 /* -- The rest --------------------------------------------------------------------------------------------------- */
 
-void ganglion_robot_init(ganglion_robot *robot, const ganglion_robot_config *config) {
+void ganglion_robot_init(ganglion_robot* robot, const ganglion_robot_config* config) {
   *robot = (ganglion_robot){.config = config};
   ganglion_robot_connected(robot);
   take_safe_values(robot);
 }
 
-void ganglion_robot_connected(ganglion_robot *robot) {
+void ganglion_robot_connected(ganglion_robot* robot) {
   robot->accepted = false;
 #ifdef GANGLION_ROBOT_STREAM
   robot->closing = false;
@@ -448,7 +449,7 @@ void ganglion_robot_connected(ganglion_robot *robot) {
   await_frame(robot);
 }
 
-void ganglion_robot_poll(ganglion_robot *robot, uint32_t now_ms) {
+void ganglion_robot_poll(ganglion_robot* robot, uint32_t now_ms) {
   if (!robot->session || !robot->free_running) return;
   if (robot->holds && (int32_t)(now_ms - robot->until_ms) >= 0) take_safe_values(robot);
   if (now_ms - robot->ticked_ms < robot->config->tick_ms) return;
