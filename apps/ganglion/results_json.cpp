@@ -11,6 +11,12 @@ using Json = nlohmann::ordered_json;
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
+/// Nulls where nobody knows.
+Json contacts_json(const Contacts& contacts) {
+  return {{"count", contacts.known ? Json(contacts.count) : Json(nullptr)},
+          {"fastest_mps", contacts.known ? number(contacts.fastest_mps) : Json(nullptr)}};
+}
+
 Json run_json(const RunResult& result) {
   Json measures = Json::object();
   for (const auto& [name, value] : result.measures) measures[name] = number(value);
@@ -18,7 +24,7 @@ Json run_json(const RunResult& result) {
           {"success", result.success},
           {"reason", result.reason},
           {"digest", result.digest},
-          {"contacts", {{"count", result.contacts.count}, {"fastest_mps", number(result.contacts.fastest_mps)}}},
+          {"contacts", contacts_json(result.contacts)},
           {"measures", measures},
           {"files", result.files}};
 }

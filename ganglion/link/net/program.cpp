@@ -14,13 +14,14 @@
 
 #include "ganglion/base/expects.h"
 #include "ganglion/base/file.h"
+#include "ganglion/base/text.h"
 #include "ganglion/link/net/lines.h"
 
 namespace ganglion::link {
 namespace {
 
 constexpr double kPatience_s = 2;
-constexpr std::size_t kLastWordsBytes = 1000;
+constexpr std::ptrdiff_t kLastLines = 3;
 constexpr useconds_t kLook_us = 5000;
 
 std::string with_port(std::string text, const std::string& port) {
@@ -101,9 +102,11 @@ bool Program::ended() noexcept {
 }
 
 std::string Program::last_words() const {
-  auto text = read_file(output_);
-  if (!text || text->empty()) return "it printed nothing";
-  return text->size() > kLastWordsBytes ? text->substr(text->size() - kLastWordsBytes) : *text;
+  const auto text = read_file(output_);
+  if (!text || trimmed(*text).empty()) return "nothing";
+  std::vector<std::string> lines = split(trimmed(*text), '\n');
+  if (std::ssize(lines) > kLastLines) lines.erase(lines.begin(), lines.end() - kLastLines);
+  return printable(join(lines, " | "), 1000);
 }
 
 Result<std::uint16_t> free_port() {

@@ -173,7 +173,9 @@ class Server::Shell {
 
   /// What happened may have left something to send, or somebody to close.
   void look() {
-    for (const PeerId id : end_.take_stirred()) {
+    const auto stirred = end_.take_stirred();
+    for (std::size_t n = 0; n < stirred.size(); ++n) {
+      const PeerId id = stirred[n];
       if (serial_ != nullptr && serial_->id == id) serial_->write();
       const auto found = sockets_.find(id);
       if (found == sockets_.end()) continue;

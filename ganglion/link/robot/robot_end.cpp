@@ -175,11 +175,13 @@ bool RobotEnd::gone(PeerId id) const {
   return found == peers_.end() || found->second.state == Peer::State::Gone;
 }
 
-std::vector<RobotEnd::PeerId> RobotEnd::take_stirred() {
-  for (const PeerId id : stirred_) {
+std::span<const RobotEnd::PeerId> RobotEnd::take_stirred() {
+  stirred_before_.swap(stirred_);
+  stirred_.clear();
+  for (const PeerId id : stirred_before_) {
     if (const auto found = peers_.find(id); found != peers_.end()) found->second.stirred = false;
   }
-  return std::exchange(stirred_, {});
+  return stirred_before_;
 }
 
 void RobotEnd::stir(Peer& peer) {
