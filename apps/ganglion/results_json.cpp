@@ -64,8 +64,10 @@ std::string results_table(const std::vector<RunResult>& results) {
   std::string text = fmt::format("{:>6}  {:<8}{:<18}{:>9}{:>14}  {}\n", "seed", "success", "digest", "contacts",
                                  "fastest [m/s]", "reason");
   for (const RunResult& result : results) {
-    text += fmt::format("{:>6}  {:<8}{:<18}{:>9}{:>14.3f}  {}\n", result.seed, result.success ? "yes" : "no",
-                        result.digest, result.contacts.count, result.contacts.fastest_mps, result.reason);
+    const bool known = result.contacts.known;
+    text += fmt::format("{:>6}  {:<8}{:<18}{:>9}{:>14}  {}\n", result.seed, result.success ? "yes" : "no",
+                        result.digest, known ? fmt::format("{}", result.contacts.count) : "-",
+                        known ? fmt::format("{:.3f}", result.contacts.fastest_mps) : "-", result.reason);
   }
   text += fmt::format("\n{} of {} succeeded\n{:<26}{:>12}{:>12}{:>12}\n", succeeded(results), results.size(), "measure",
                       "lower", "median", "upper");
