@@ -1,7 +1,9 @@
-// make_seeds EXPERIMENTS FOLDER: good inputs for the fuzzers to start from, in FOLDER/toml, FOLDER/map and FOLDER/mcap.
+// make_seeds EXPERIMENTS FOLDER: good inputs for the fuzzers to start from, in FOLDER/toml, FOLDER/map, FOLDER/mcap and
+// FOLDER/link.
 #include <cstdio>
 
 #include "ganglion/base/file.h"
+#include "ganglion/link/testing/bench.h"
 #include "ganglion/record/mcap/fields.h"
 #include "ganglion/record/run_recorder.h"
 
@@ -110,6 +112,42 @@ void seed_mcap(const fs::path& folder) {
   good = good && recorder->finish({.digest = "00", .success = true, .reason = "goal"});
 }
 
+/// What both sides of a short session say, as fuzz_link.cpp takes it.
+void seed_session(const fs::path& folder, link::Carrier carrier, link::Encoding encoding) {
+  link::NotebookRobot robot(2);
+  link::RobotEnd end(robot, nullptr, link::robot_config());
+  link::ControllerEnd controller({.carrier = carrier, .encoding = encoding});
+  const auto peer = end.open(carrier, "", 0);
+  const std::vector<ActFrame> act(2, make_act_frame(robot.description()));
+  const char reader = carrier == link::Carrier::Stream ? 0 : 1;
+  std::string to_robot(1, reader), to_controller(1, static_cast<char>(reader + 2));
+  controller.greet(0);
+  controller.connected(0);
+  for (int tick = 0; tick < 5; ++tick) {
+    if (tick > 0) controller.act(act, 0.1, 0);
+    to_robot += controller.outgoing();
+    end.receive(peer, controller.outgoing(), 0);
+    controller.outgoing().clear();
+    const std::string answer(end.outgoing(peer));
+    end.sent(peer, answer.size(), 0);
+    to_controller += answer;
+    controller.receive(answer, 0);
+  }
+  good = good && controller.done();
+  const std::string name =
+      std::string(reader == 0 ? "tcp" : "serial") + (encoding == link::Encoding::Json ? "_json" : "_binary");
+  keep(folder / (name + "_to_robot"), to_robot);
+  keep(folder / (name + "_to_controller"), to_controller);
+}
+
+void seed_link(const fs::path& folder) {
+  for (const link::Carrier carrier : {link::Carrier::Stream, link::Carrier::Packets}) {
+    for (const link::Encoding encoding : {link::Encoding::Binary, link::Encoding::Json}) {
+      seed_session(folder, carrier, encoding);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace ganglion
 
@@ -119,5 +157,6 @@ int main(int count, char** words) {
   ganglion::seed_toml(words[1], folder / "toml");
   ganglion::seed_map(folder / "map");
   ganglion::seed_mcap(folder / "mcap");
+  ganglion::seed_link(folder / "link");
   return ganglion::good ? 0 : 1;
 }

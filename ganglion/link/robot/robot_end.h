@@ -76,9 +76,9 @@ class RobotEnd {
   void read(PeerId id, Peer& peer, double now_s);
   void handle(FrameKind kind, PeerId id, Peer& peer, double now_s);
   void greet(PeerId id, Peer& peer, double now_s);
-  bool admit(PeerId id, Peer& peer, double now_s);
+  bool admit(PeerId id, Peer& peer, bool again, double now_s);
   bool resume(PeerId id, Peer& peer, double now_s);
-  bool begin(PeerId id, Peer& peer, double now_s);
+  bool begin(PeerId id, Peer& peer, bool again, double now_s);
   void command(FrameKind kind, Peer& peer, double now_s);
   void act(Peer& peer, double now_s);
   void step(Peer& peer);

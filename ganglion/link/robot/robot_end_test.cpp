@@ -210,6 +210,32 @@ TEST_F(RobotEndTest, IgnoresWhatALaterVersionAdds) {
   EXPECT_FALSE(end_.closing(peer));
 }
 
+TEST_F(RobotEndTest, LetsAControllerOnASerialLineStartAgain) {
+  const auto line = end_.open(Carrier::Packets, "serial", now_s_);
+  FrameWriter writer(Carrier::Packets, Encoding::Binary);
+  wire::Hello hello;
+  hello.set_major(1);
+  std::string bytes;
+  ASSERT_TRUE(writer.append(hello, bytes));
+  wire::Act act;
+  act.add_values(0.5);
+  act.add_values(0.5);
+  ASSERT_TRUE(writer.append(act, bytes));
+  say(line, bytes);
+  ASSERT_EQ(robot_.done().size(), 1u);
+  bytes.clear();
+  hello.set_role(wire::WATCH);  // somebody else was plugged in, who only looks
+  ASSERT_TRUE(writer.append(hello, bytes));
+  say(line, bytes);
+  EXPECT_FALSE(end_.commands(line));
+  bytes.clear();
+  hello.set_role(wire::COMMAND);
+  ASSERT_TRUE(writer.append(hello, bytes));
+  now_s_ = 2;
+  say(line, bytes);
+  EXPECT_TRUE(end_.commands(line));
+}
+
 /// Sessions with a few bytes changed, left out or put in, fed in pieces.
 TEST(RobotEnd, SurvivesSpoiltSessions) {
   std::mt19937 chance(5);
