@@ -1,7 +1,9 @@
-// make_seeds EXPERIMENTS FOLDER: good inputs for the fuzzers to start from, in FOLDER/toml, FOLDER/map and FOLDER/mcap.
+// make_seeds EXPERIMENTS FOLDER: good inputs for the fuzzers to start from, in FOLDER/toml, FOLDER/map, FOLDER/mcap and
+// FOLDER/link.
 #include <cstdio>
 
 #include "ganglion/base/file.h"
+#include "ganglion/link/testing/bench.h"
 #include "ganglion/record/mcap/fields.h"
 #include "ganglion/record/run_recorder.h"
 
@@ -110,6 +112,82 @@ void seed_mcap(const fs::path& folder) {
   good = good && recorder->finish({.digest = "00", .success = true, .reason = "goal"});
 }
 
+/// What both sides of a short session say, as fuzz_link.cpp takes it.
+void seed_session(const fs::path& folder, link::Carrier carrier, link::Encoding encoding) {
+  link::NotebookRobot robot(2);
+  link::RobotEnd end(robot, nullptr, link::robot_config());
+  link::ControllerEnd controller({.carrier = carrier, .encoding = encoding});
+  const auto peer = end.open(carrier, "", 0);
+  const std::vector<ActFrame> act(2, make_act_frame(robot.description()));
+  const char reader = carrier == link::Carrier::Stream ? 0 : 1;
+  std::string to_robot(1, reader), to_controller(1, static_cast<char>(reader + 2));
+  controller.greet(0);
+  controller.connected(0);
+  for (int tick = 0; tick < 5; ++tick) {
+    if (tick > 0) controller.act(act, 0.1, 0);
+    to_robot += controller.outgoing();
+    end.receive(peer, controller.outgoing(), 0);
+    controller.outgoing().clear();
+    const std::string answer(end.outgoing(peer));
+    end.sent(peer, answer.size(), 0);
+    to_controller += answer;
+    controller.receive(answer, 0);
+  }
+  good = good && controller.done();
+  const std::string name =
+      std::string(reader == 0 ? "tcp" : "serial") + (encoding == link::Encoding::Json ? "_json" : "_binary");
+  keep(folder / (name + "_to_robot"), to_robot);
+  keep(folder / (name + "_to_controller"), to_controller);
+}
+
+void seed_link(const fs::path& folder) {
+  for (const link::Carrier carrier : {link::Carrier::Stream, link::Carrier::Packets}) {
+    for (const link::Encoding encoding : {link::Encoding::Binary, link::Encoding::Json}) {
+      seed_session(folder, carrier, encoding);
+    }
+  }
+}
+
+/// Pieces as fuzz_c_robot.cpp reads them: a session in either pace.
+void seed_c_robot(const fs::path& folder) {
+  for (const auto pace : {link::wire::LOCK_STEP, link::wire::FREE_RUNNING}) {
+    std::string pieces;
+    const auto say = [&pieces](const auto& message) {
+      link::FrameWriter writer(link::Carrier::Stream, link::Encoding::Binary);
+      std::string bytes;
+      good = good && writer.append(message, bytes);
+      const std::string payload = bytes.substr(4);  // without its length
+      pieces += static_cast<char>(payload.size());
+      pieces += payload;
+      pieces += std::string_view("\0\x0a", 2);  // 100 ms
+    };
+    link::wire::Hello hello;
+    hello.set_major(1);
+    hello.set_pace(pace);
+    say(hello);
+    link::wire::Reset reset;
+    reset.set_seed(7);
+    say(reset);
+    link::wire::Beat beat;
+    beat.set_number(300);
+    say(beat);
+    link::wire::Act act;
+    for (std::uint32_t tick = 0; tick < 3; ++tick) {
+      act.set_tick(tick);
+      act.set_ttl_ms(tick * 100);
+      act.set_step_s(0.1 * tick);
+      act.clear_values32();
+      for (const float value : {0.5F, 7.0F}) act.add_values32(value);
+      if (tick == 2) act.add_ttl_s(0.05);
+      say(act);
+    }
+    hello.set_token("ihgfedcb");  // of 0x12345678
+    say(hello);
+    say(link::wire::Bye());
+    keep(folder / std::to_string(pace), pieces);
+  }
+}
+
 }  // namespace
 }  // namespace ganglion
 
@@ -119,5 +197,7 @@ int main(int count, char** words) {
   ganglion::seed_toml(words[1], folder / "toml");
   ganglion::seed_map(folder / "map");
   ganglion::seed_mcap(folder / "mcap");
+  ganglion::seed_link(folder / "link");
+  ganglion::seed_c_robot(folder / "c_robot");
   return ganglion::good ? 0 : 1;
 }

@@ -173,9 +173,8 @@ static void send_sense(const ganglion_robot* robot) {
   frame out;
   config->sense(config->user, config->values);
   begin(robot, &out, config->sensations);
-  wrap(&out, 4); /* values32 */
-  wrap(&out, 3); /* robots */
-  prepend_number(&out, 5, robot->time_ms);
+  wrap(&out, 6); /* values32 */
+  prepend_number(&out, 9, robot->time_ms);
   prepend_number(&out, 1, robot->tick);
   wrap(&out, SENSE);
   send(robot, &out);
@@ -302,32 +301,31 @@ static void act_in_lock_step(ganglion_robot* robot, const uint8_t* packed, uint3
   send_sense(robot);
 }
 
-static void act(ganglion_robot* robot, fields* in, uint32_t now_ms) {
+static void act(ganglion_robot* robot, const fields* in, uint32_t now_ms) {
   const ganglion_robot_config* config = robot->config;
   const uint32_t tick = in->value[1];
   uint32_t ttl_ms = in->value[2] ? in->value[2] : DEFAULT_TTL_MS;
   uint32_t step_ms = in->size[3] == 8 ? ms_at(in->at[3]) : 0;
   if (step_ms == 0) step_ms = config->tick_ms;
-  const bool read = step_ms <= MAX_STEP_MS && read_fields(in->at[4], in->size[4], in); /* now those of the robot */
-  if (!read || in->size[2] != config->commands * sizeof(float)) {
+  if (step_ms > MAX_STEP_MS || in->size[5] != config->commands * sizeof(float)) {
     refuse(robot, BROKEN, "malformed");
     return;
   }
-  for (uint32_t n = 8; n <= in->size[3]; n += 8) {
-    const uint32_t own_ms = ms_at(in->at[3] + n - 8);
+  for (uint32_t n = 8; n <= in->size[6]; n += 8) {
+    const uint32_t own_ms = ms_at(in->at[6] + n - 8);
     if (own_ms < ttl_ms) ttl_ms = own_ms;
   }
   if (robot->free_running) {
     if (tick < robot->next_tick) return;
     robot->next_tick = tick + 1;
     robot->until_ms = now_ms + (ttl_ms < MAX_TTL_MS ? ttl_ms : MAX_TTL_MS);
-    drive(robot, in->at[2]);
+    drive(robot, in->at[5]);
   } else if (tick < robot->tick) {
     send_sense(robot); /* carried out before; the answer got lost */
   } else if (tick > robot->tick) {
     refuse(robot, BROKEN, "future tick");
   } else {
-    act_in_lock_step(robot, in->at[2], ttl_ms, step_ms);
+    act_in_lock_step(robot, in->at[5], ttl_ms, step_ms);
   }
 }
 

@@ -20,8 +20,7 @@ wire::Act act(std::uint32_t tick, const Floats& values, std::uint32_t ttl_ms = 0
   wire::Act message;
   message.set_tick(tick);
   message.set_ttl_ms(ttl_ms);
-  wire::RobotAct& robot = *message.add_robots();
-  for (const float value : values) robot.add_values32(value);
+  for (const float value : values) message.add_values32(value);
   return message;
 }
 
@@ -31,10 +30,7 @@ wire::Act step(std::uint32_t tick, double step_s, std::uint32_t ttl_ms = 60'000)
   return message;
 }
 
-Floats values_of(const wire::Sense& sense) {
-  EXPECT_EQ(sense.robots_size(), 1);
-  return {sense.robots(0).values32().begin(), sense.robots(0).values32().end()};
-}
+Floats values_of(const wire::Sense& sense) { return {sense.values32().begin(), sense.values32().end()}; }
 
 TEST(CRobot, GreetsWithATokenWhatItIsAndWhatItSenses) {
   CRobot robot;
@@ -121,8 +117,8 @@ TEST(CRobot, TakesTheShortestOfSeveralTimesToLive) {
   CRobot robot;
   robot.greet(wire::FREE_RUNNING);
   wire::Act message = act(0, {1, 0, 1}, 400);
-  message.mutable_robots(0)->add_ttl_s(0.4);
-  message.mutable_robots(0)->add_ttl_s(0.05);
+  message.add_ttl_s(0.4);
+  message.add_ttl_s(0.05);
   robot.say(message);
   robot.now_ms += 49;
   robot.poll();
@@ -314,9 +310,7 @@ TEST(CRobot, EndsASessionThatBreaksTheRules) {
   ended(act(1, {1, 0}));
   ended(act(1, {1, 0, 1, 0}));
   ended(wire::Act());
-  wire::Act two = act(1, {1, 0, 1});
-  two.add_robots();
-  ended(two);
+  ended(act(1, {1, 0, 1, 1, 0, 1}));  // for two robots
 }
 
 TEST(CRobot, SendsFramesOfEveryLength) {
@@ -400,8 +394,8 @@ void expect_sane(const CRobot& robot) {
 TEST(CRobot, SurvivesFramesWithAnyBytesInThem) {
   std::mt19937 random(1);
   wire::Act full = step(0, 0.1);
-  full.mutable_robots(0)->add_ttl_s(0.1);
-  full.mutable_robots(0)->add_origins(1);
+  full.add_ttl_s(0.1);
+  full.add_origins(1);
   std::string seeds[] = {full.SerializeAsString(), step(0, 0.1).SerializeAsString()};
   int carried_out = 0;
   for (int n = 0; n < 100'000; ++n) {

@@ -42,15 +42,10 @@ void ControllerEnd::reset(std::uint64_t seed, std::uint32_t episode, double now_
 }
 
 void ControllerEnd::act(std::span<const ActFrame> frames, double step_s, double now_s) {
-  const std::uint32_t ttl_ms = ttl_ms_of(frames);
-  act_.set_tick(sense_.tick());
-  act_.set_ttl_ms(ttl_ms);
   const bool lock_step = config_.pace == wire::LOCK_STEP;
+  act_.set_tick(sense_.tick());
   act_.set_step_s(lock_step ? step_s : 0);
-  while (act_.robots_size() < static_cast<int>(frames.size())) act_.add_robots();
-  for (std::size_t n = 0; n < frames.size(); ++n) {
-    write_act(frames[n], ttl_ms, floats_, *act_.mutable_robots(static_cast<int>(n)));
-  }
+  write_acts(frames, floats_, act_);
   wanted_tick_ = sense_.tick() + 1;
   if (lock_step) {
     want(Wanted::Answer, now_s);
@@ -212,7 +207,8 @@ void ControllerEnd::heard_beat(double now_s) {
   if (in_.beat.number() != beat_.number()) return;
   const double robot_s = in_.beat.time_ms() != 0 ? in_.beat.time_ms() / 1000.0 : in_.beat.time_s();
   statistics_.clock_offset_s = robot_s - (beat_s_ + now_s) / 2;
-  if (config_.pace == wire::FREE_RUNNING) statistics_.round_trip_s = now_s - beat_s_;
+  if (config_.pace == wire::FREE_RUNNING || config_.role == wire::WATCH) statistics_.round_trip_s = now_s - beat_s_;
+  ++beats_answered_;
 }
 
 void ControllerEnd::beat(double now_s) {

@@ -64,6 +64,7 @@ class ControllerEnd {
   /// Told by the robot since the last call.
   std::vector<wire::Event> take_events();
   const LinkStatistics& statistics() const noexcept { return statistics_; }
+  std::uint32_t beats_answered() const noexcept { return beats_answered_; }
   const std::string& robot_program() const noexcept { return robot_program_; }
 
  private:
@@ -100,6 +101,7 @@ class ControllerEnd {
   wire::Reset reset_;
   wire::Act act_;
   wire::Beat beat_;
+  std::uint32_t beats_answered_ = 0;
   std::uint32_t wanted_tick_ = 0;
   double asked_s_ = 0;  // when the present request was made
   double sent_s_ = 0;   // when it was last made over this connection

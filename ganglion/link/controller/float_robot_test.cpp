@@ -6,7 +6,7 @@ namespace ganglion::link {
 namespace {
 
 /// The last Act that a controller sends to a robot that greeted it like that.
-wire::RobotAct act_after(bool floats) {
+wire::Act act_after(bool floats) {
   ControllerEnd end({});
   end.greet(0);
   end.connected(0);
@@ -16,7 +16,6 @@ wire::RobotAct act_after(bool floats) {
   hello.set_major(1);
   hello.set_floats(floats);
   wire::Sense sense;
-  sense.add_robots();
   EXPECT_TRUE(robot.append(hello, bytes) && robot.append(wire::Describe(), bytes) && robot.append(sense, bytes));
   end.receive(bytes, 0);
   EXPECT_TRUE(end.done());
@@ -32,11 +31,11 @@ wire::RobotAct act_after(bool floats) {
   Messages in;
   const auto payload = reader.next();
   EXPECT_EQ(decode(**payload, Encoding::Binary, in).value_or(FrameKind::Unknown), FrameKind::Act);
-  return in.act.robots(0);
+  return in.act;
 }
 
 TEST(ControllerEnd, SendsFloatsToARobotThatTakesNoDoubles) {
-  const wire::RobotAct narrow = act_after(true);
+  const wire::Act narrow = act_after(true);
   EXPECT_EQ(narrow.values_size(), 0);
   ASSERT_EQ(narrow.values32_size(), 2);
   EXPECT_EQ(narrow.values32(0), 0.5F);

@@ -68,7 +68,7 @@ Result<void> RemoteApplication::compare() {
   }
   differences_ = link::differences(file_, *robot);
   if (std::any_of(differences_.begin(), differences_.end(), [](const Difference& one) { return one.grave; })) {
-    return fail(ErrorCode::LinkLost, "{}: this is not the robot the controller was drawn for:\n{}", line_->address(),
+    return fail(ErrorCode::LinkLost, "{}: this is not the robot the controller was drawn for: {}", line_->address(),
                 text_of(differences_));
   }
   map_.emplace(file_, *robot);
@@ -114,17 +114,10 @@ void RemoteApplication::take_sense(bool first) noexcept {
   if (failure() != nullptr) return;
   const wire::Sense& message = end_.sense();
   end_.take_sense();
-  if (message.robots_size() != robots_) {
-    return end_.fail(fmt::format("a Sense of {} robots, described were {}", message.robots_size(), robots_));
-  }
-  for (std::size_t n = 0; n < sense_.size(); ++n) {
-    SenseFrame& frame = sense_[n];
-    frame.tick = message.tick();
-    frame.time_s = canonical(message.time_ms() != 0 ? message.time_ms() / 1000.0 : message.time_s());
-    if (!read_sense(message.robots(static_cast<int>(n)), frame)) {
-      return end_.fail(fmt::format("a Sense of robot {} must have {} values and {} ages (or none), as described", n,
-                                   frame.values.size(), frame.ages_s.size()));
-    }
+  if (!read_senses(message, sense_)) {
+    const SenseFrame& one = sense_.front();
+    return end_.fail(fmt::format("a Sense of {} robots must have {} values and {} ages (or none), as described",
+                                 robots_, sense_.size() * one.values.size(), sense_.size() * one.ages_s.size()));
   }
   if (witness_ == nullptr) return;
   if (auto taken = witness_->take(message, first); !taken) end_.fail(taken.error().message);
@@ -189,7 +182,7 @@ Error RemoteApplication::error() const {
 std::string text_of(const std::vector<Difference>& differences) {
   std::string text;
   for (const Difference& one : differences) {
-    text += fmt::format("{}{}{}{}", text.empty() ? "" : "\n", one.channel, one.channel.empty() ? "" : ": ", one.text);
+    text += fmt::format("{}{}{}{}", text.empty() ? "" : "; ", one.channel, one.channel.empty() ? "" : ": ", one.text);
   }
   return text;
 }

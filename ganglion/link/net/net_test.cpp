@@ -127,8 +127,8 @@ TEST(Program, IsToldItsPortAndEndsWithItsOwner) {
     auto program = Program::start({"sh", "-c", "echo {port} $GANGLION_PORT; pwd; exec sleep 1000"}, "/", 4711, output);
     ASSERT_TRUE(program) << program.error().message;
     const double until_s = steady_s() + 10;
-    while (program->last_words().find('/') == std::string::npos && steady_s() < until_s) std::this_thread::yield();
-    EXPECT_EQ(program->last_words(), "4711 4711\n/\n");
+    while (program->last_words().find("| /") == std::string::npos && steady_s() < until_s) std::this_thread::yield();
+    EXPECT_EQ(program->last_words(), "4711 4711 | /");
     EXPECT_FALSE(program->ended());
   }
   EXPECT_EQ(*read_file(output), "4711 4711\n/\n");

@@ -20,10 +20,12 @@ namespace asio = boost::asio;
 using asio::ip::tcp;
 using ErrorText = boost::system::error_code;
 
-constexpr double kRound_s = 0.05;   // at most between two looks at the clock
-constexpr double kLinger_s = 1;     // for a last word to be read
-constexpr double kReopen_s = 0.5;   // a serial line that went away
-constexpr double kNoFiles_s = 0.1;  // accepting again when the system has no descriptors left
+constexpr double kRound_s = 0.05;                     // at most between two looks at the clock
+constexpr double kLinger_s = 1;                       // for a last word to be read
+constexpr double kReopen_s = 0.5;                     // a serial line that went away
+constexpr std::chrono::milliseconds kAcceptPause{1};  // a storm of strangers must not hold up who commands
+constexpr std::size_t kSmallRead_bytes = 2048;        // at a time from those who do not command
+constexpr double kNoFiles_s = 0.1;                    // accepting again when the system has no descriptors left
 
 }  // namespace
 
@@ -31,7 +33,7 @@ constexpr double kNoFiles_s = 0.1;  // accepting again when the system has no de
 class Server::Shell {
  public:
   Shell(RobotEnd& end, Address address)
-      : end_(end), address_(std::move(address)), acceptor_(context_), timer_(context_) {}
+      : end_(end), address_(std::move(address)), acceptor_(context_), timer_(context_), accept_timer_(context_) {}
 
   Result<void> open() {
     if (address_.kind == Address::Kind::SerialOverTcp) {
@@ -52,6 +54,7 @@ class Server::Shell {
     ErrorText ignored;
     acceptor_.close(ignored);
     timer_.cancel();
+    accept_timer_.cancel();
     context_.restart();
     context_.poll();
   }
@@ -65,7 +68,8 @@ class Server::Shell {
     Connection(Shell& of, Stream with) : shell(of), stream(std::move(with)) {}
 
     void read() {
-      stream.async_read_some(asio::buffer(room),
+      const std::size_t most = shell.end_.commands(id) ? room.size() : kSmallRead_bytes;
+      stream.async_read_some(asio::buffer(room.data(), most),
                              [self = this->shared_from_this()](const ErrorText& error, std::size_t got) {
                                if (error) return self->shell.drop(*self);
                                if (!self->lingering)
@@ -134,7 +138,10 @@ class Server::Shell {
         return;
       }
       welcome(std::move(socket));
-      accept();
+      accept_timer_.expires_after(kAcceptPause);
+      accept_timer_.async_wait([this](const ErrorText& cancelled) {
+        if (!cancelled) accept();
+      });
     });
   }
 
@@ -171,7 +178,9 @@ class Server::Shell {
 
   /// What happened may have left something to send, or somebody to close.
   void look() {
-    for (const PeerId id : end_.take_stirred()) {
+    const auto stirred = end_.take_stirred();
+    for (std::size_t n = 0; n < stirred.size(); ++n) {
+      const PeerId id = stirred[n];
       if (serial_ != nullptr && serial_->id == id) serial_->write();
       const auto found = sockets_.find(id);
       if (found == sockets_.end()) continue;
@@ -241,7 +250,7 @@ class Server::Shell {
   Address address_;
   asio::io_context context_{1};
   tcp::acceptor acceptor_;
-  asio::steady_timer timer_;
+  asio::steady_timer timer_, accept_timer_;
   std::map<PeerId, std::shared_ptr<Socket>> sockets_;
   std::vector<std::shared_ptr<Socket>> lingering_;
   std::shared_ptr<Serial> serial_;

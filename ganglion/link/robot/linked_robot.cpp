@@ -35,19 +35,14 @@ void LinkedRobot::look() noexcept {
 }
 
 Result<void> LinkedRobot::take(const wire::Act& act, double max_ttl_s) {
-  if (act.robots_size() != static_cast<int>(act_.size())) {
-    return fail(ErrorCode::BadParameter, "an Act commands {} robots; there are {}", act.robots_size(), act_.size());
+  if (!read_acts(act, taken_)) {
+    const std::size_t robots = taken_.size();
+    return fail(ErrorCode::BadParameter,
+                "an Act here must have {} values, and {} (or none) of ttl_s, origins and reasons, for {} robot{}",
+                robots * taken_.front().values.size(), robots * taken_.front().ttl_s.size(), robots,
+                robots == 1 ? "" : "s");
   }
-  const double ttl_s = act.ttl_ms() == 0 ? kDefaultTtl_s : act.ttl_ms() / 1000.0;
-  for (std::size_t n = 0; n < act_.size(); ++n) {
-    if (!read_act(act.robots(static_cast<int>(n)), ttl_s, taken_[n])) {
-      return fail(ErrorCode::BadParameter,
-                  "an Act for robot {} must have {} values, and ttl_s, origins and reasons for "
-                  "each of {} commands or for none",
-                  n, taken_[n].values.size(), taken_[n].ttl_s.size());
-    }
-    make_safe(description(), max_ttl_s, taken_[n]);
-  }
+  for (ActFrame& frame : taken_) make_safe(description(), max_ttl_s, frame);
   act_.swap(taken_);
   return {};
 }
@@ -81,12 +76,8 @@ void LinkedRobot::age_commands(double elapsed_s, double keep_s) noexcept {
 }
 
 void LinkedRobot::write(bool floats, wire::Sense& out) const {
+  write_senses(sense_, floats, out);
   out.set_tick(tick_);
-  out.set_time_s(sense_.front().time_s);
-  while (out.robots_size() < static_cast<int>(sense_.size())) out.add_robots();
-  for (std::size_t n = 0; n < sense_.size(); ++n) {
-    write_sense(sense_[n], floats, *out.mutable_robots(static_cast<int>(n)));
-  }
 }
 
 void LinkedRobot::write_truths(std::vector<GoalsTold>& told, wire::Sense& out) const {

@@ -11,7 +11,8 @@ namespace ganglion::link {
 namespace {
 
 constexpr std::size_t kEnoughPendingBytes = std::size_t{64} << 10;  // then a slow reader misses frames
-constexpr std::size_t kMaxPendingBytes = std::size_t{3} << 20;      // then it is dropped
+constexpr int kRefusedAtOnce = 8;
+constexpr std::size_t kMaxPendingBytes = std::size_t{3} << 20;  // then it is dropped
 constexpr double kInf = std::numeric_limits<double>::infinity();
 
 /// As it may stand in a message: what somebody sent may be quoted in it.
@@ -174,11 +175,13 @@ bool RobotEnd::gone(PeerId id) const {
   return found == peers_.end() || found->second.state == Peer::State::Gone;
 }
 
-std::vector<RobotEnd::PeerId> RobotEnd::take_stirred() {
-  for (const PeerId id : stirred_) {
+std::span<const RobotEnd::PeerId> RobotEnd::take_stirred() {
+  stirred_before_.swap(stirred_);
+  stirred_.clear();
+  for (const PeerId id : stirred_before_) {
     if (const auto found = peers_.find(id); found != peers_.end()) found->second.stirred = false;
   }
-  return std::exchange(stirred_, {});
+  return stirred_before_;
 }
 
 void RobotEnd::stir(Peer& peer) {
@@ -187,9 +190,11 @@ void RobotEnd::stir(Peer& peer) {
 }
 
 void RobotEnd::poll(double now_s) {
+  int refused = 0;
   for (auto& [id, peer] : peers_) {
     if (peer.carrier == Carrier::Packets) continue;
-    if (peer.state == Peer::State::New && now_s >= peer.opened_s + config_.handshake_s) {
+    const bool late = peer.state == Peer::State::New && now_s >= peer.opened_s + config_.handshake_s;
+    if (late && refused++ < kRefusedAtOnce) {  // the rest in the next call, so that a tick need not wait
       refuse(peer, wire::TOO_SLOW, fmt::format("no Hello within {} s", shortest(config_.handshake_s)));
     }
     if (peer.pending() == 0) peer.unread_s = now_s;

@@ -55,10 +55,10 @@ TEST_F(RobotEndTest, AnswersAsThePageSays) {
             "\"max\":100},{\"name\":\"sonar.range\",\"unit\":\"m\",\"min\":0,\"max\":3,\"period_s\":0.2}],"
             "\"commands\":[{\"name\":\"drive\",\"elements\":[{\"name\":\"left\",\"unit\":\"m/s\",\"min\":-1,\"max\":1},"
             "{\"name\":\"right\",\"unit\":\"m/s\",\"min\":-1,\"max\":1}]}],\"lock_step\":true,\"free_running\":true}}\n"
-            "{\"sense\":{\"robots\":[{\"values\":[0,0,\"NaN\"],\"ages_s\":[0,0]}]}}\n");
-  EXPECT_EQ(say(peer, "{\"act\":{\"tick\":0,\"robots\":[{\"values\":[0.5,-0.5]}]}}\n"),
-            "{\"sense\":{\"tick\":1,\"time_s\":0.1,\"robots\":[{\"values\":[0.05,-0.05,\"Infinity\"],"
-            "\"ages_s\":[0,0.1],\"cost_J\":0.25}]}}\n");
+            "{\"sense\":{\"values\":[0,0,\"NaN\"],\"ages_s\":[0,0]}}\n");
+  EXPECT_EQ(say(peer, "{\"act\":{\"tick\":0,\"values\":[0.5,-0.5]}}\n"),
+            "{\"sense\":{\"tick\":1,\"time_s\":0.1,\"values\":[0.05,-0.05,\"Infinity\"],"
+            "\"ages_s\":[0,0.1],\"cost_J\":[0.25]}}\n");
   EXPECT_EQ(robot_.done().back(), (NotebookRobot::Done{0, 0.5, -0.5, 0.3, CommandOrigin::Commanded}));
   say(peer, "{\"bye\":{}}\n");
   EXPECT_TRUE(end_.closing(peer));
@@ -66,7 +66,7 @@ TEST_F(RobotEndTest, AnswersAsThePageSays) {
 
 TEST_F(RobotEndTest, NeverCarriesOutATickTwice) {
   const auto peer = commander();
-  const std::string act = "{\"act\":{\"robots\":[{\"values\":[0.5,0.5]}]}}\n";
+  const std::string act = "{\"act\":{\"values\":[0.5,0.5]}}\n";
   const std::string first = say(peer, act);
   EXPECT_EQ(say(peer, act), first);
   EXPECT_EQ(robot_.done().size(), 1u);
@@ -74,15 +74,15 @@ TEST_F(RobotEndTest, NeverCarriesOutATickTwice) {
 
 TEST_F(RobotEndTest, KeepsCommandsWithinTheirLimits) {
   const auto peer = commander();
-  say(peer, "{\"act\":{\"robots\":[{\"values\":[7,\"NaN\"]}]}}\n");
+  say(peer, "{\"act\":{\"values\":[7,\"NaN\"]}}\n");
   EXPECT_EQ(robot_.done().back(), (NotebookRobot::Done{0, 1, 0, 0.3, CommandOrigin::Refused}));
-  say(peer, "{\"act\":{\"tick\":1,\"ttl_ms\":40,\"robots\":[{\"values32\":[-0.25,\"-Infinity\"]}]}}\n");
+  say(peer, "{\"act\":{\"tick\":1,\"ttl_ms\":40,\"values32\":[-0.25,\"-Infinity\"]}}\n");
   EXPECT_EQ(robot_.done().back(), (NotebookRobot::Done{1, -0.25, 0, 0.04, CommandOrigin::Refused}));
 }
 
 TEST_F(RobotEndTest, GoesOnForSeveralTicksUnderCommandsThatLapse) {
   const auto peer = commander();
-  say(peer, "{\"act\":{\"ttl_ms\":250,\"robots\":[{\"values\":[0.5,0.5]}]}}\n");
+  say(peer, "{\"act\":{\"ttl_ms\":250,\"values\":[0.5,0.5]}}\n");
   const std::string answer = say(peer, "{\"step\":{\"tick\":1,\"ticks\":3}}\n");
   EXPECT_NE(answer.find("{\"sense\":{\"tick\":4,"), std::string::npos) << answer;
   EXPECT_NE(answer.find("\"earlier\":[{\"tick\":2,"), std::string::npos) << answer;
@@ -100,10 +100,10 @@ TEST_F(RobotEndTest, RefusesInWords) {
   expect_refused(kHello, "Hello is said once");
   expect_refused("{\"hello\n", "a JSON line cannot be read");
   expect_refused("{\"sense\":{}}\n", "Sense is for the robot to send");
-  expect_refused("{\"act\":{\"robots\":[]}}\n", "commands 0 robots; there are 1");
-  expect_refused("{\"act\":{\"robots\":[{\"values\":[1]}]}}\n", "must have 2 values");
-  expect_refused("{\"act\":{\"tick\":5,\"robots\":[{\"values\":[1,1]}]}}\n", "for tick 5, but the robot is at 0");
-  expect_refused("{\"act\":{\"step_s\":\"NaN\",\"robots\":[{\"values\":[1,1]}]}}\n", "step_s is nan");
+  expect_refused("{\"act\":{}}\n", "must have 2 values");
+  expect_refused("{\"act\":{\"values\":[1]}}\n", "must have 2 values");
+  expect_refused("{\"act\":{\"tick\":5,\"values\":[1,1]}}\n", "for tick 5, but the robot is at 0");
+  expect_refused("{\"act\":{\"step_s\":\"NaN\",\"values\":[1,1]}}\n", "step_s is nan");
   expect_refused("{\"step\":{\"ticks\":100000}}\n", "must be 1 to 1000");
   expect_refused("{" + std::string(2 << 20, 'x'), "a line is longer than");
   EXPECT_EQ(robot_.done().size(), 0u);
@@ -124,16 +124,16 @@ TEST_F(RobotEndTest, LetsOneCommandAndOthersWatch) {
   EXPECT_NE(say(second, kHello).find("\"code\":\"BUSY\""), std::string::npos);
   const auto watcher = open();
   EXPECT_NE(say(watcher, "{\"hello\":{\"major\":1,\"role\":\"WATCH\"}}\n").find("\"sense\""), std::string::npos);
-  say(first, "{\"act\":{\"robots\":[{\"values\":[0.5,0.5]}]}}\n");
+  say(first, "{\"act\":{\"values\":[0.5,0.5]}}\n");
   EXPECT_NE(hear(watcher).find("{\"sense\":{\"tick\":1,"), std::string::npos);
-  EXPECT_NE(say(watcher, "{\"act\":{\"tick\":1,\"robots\":[{\"values\":[1,1]}]}}\n").find("who watches sends no Act"),
+  EXPECT_NE(say(watcher, "{\"act\":{\"tick\":1,\"values\":[1,1]}}\n").find("who watches sends no Act"),
             std::string::npos);
   EXPECT_EQ(robot_.done().size(), 1u);
 }
 
 TEST_F(RobotEndTest, GivesTheFreePlaceToTheNext) {
   const auto first = commander();
-  say(first, "{\"act\":{\"robots\":[{\"values\":[0.5,0.5]}]}}\n");
+  say(first, "{\"act\":{\"values\":[0.5,0.5]}}\n");
   end_.lost(first, now_s_);
   now_s_ = 0.9;
   EXPECT_NE(say(open(), kHello).find("BUSY"), std::string::npos);
@@ -146,7 +146,7 @@ TEST_F(RobotEndTest, GivesTheFreePlaceToTheNext) {
 
 TEST_F(RobotEndTest, PutsAsideWhoStandsButIsSilent) {
   const auto first = commander();
-  say(first, "{\"act\":{\"robots\":[{\"values\":[0.5,0.5]}]}}\n");
+  say(first, "{\"act\":{\"values\":[0.5,0.5]}}\n");
   now_s_ = 9.9;
   EXPECT_NE(say(open(), kHello).find("BUSY"), std::string::npos);
   now_s_ = 10;
@@ -170,7 +170,7 @@ TEST_F(RobotEndTest, DropsWhoDoesNotRead) {
   say(watcher, "{\"hello\":{\"major\":1,\"role\":\"WATCH\"}}\n");
   const auto peer = commander();
   for (int tick = 0; tick < 10'000; ++tick) {
-    say(peer, fmt::format("{{\"act\":{{\"tick\":{},\"robots\":[{{\"values\":[0,0]}}]}}}}\n", tick));
+    say(peer, fmt::format("{{\"act\":{{\"tick\":{},\"values\":[0,0]}}}}\n", tick));
   }
   EXPECT_LT(end_.outgoing(watcher).size(), 70'000u);
   now_s_ = 11;
@@ -184,14 +184,14 @@ TEST_F(RobotEndTest, TakesAThousandConnectionsAndKeepsAFew) {
   std::size_t refused = 0;
   for (int n = 0; n < 1000; ++n) refused += hear(open()).find("no more than 256 connections") != std::string::npos;
   EXPECT_EQ(refused, 1000u - 255u);
-  EXPECT_NE(say(peer, "{\"act\":{\"robots\":[{\"values\":[0,0]}]}}\n").find("\"tick\":1"), std::string::npos);
+  EXPECT_NE(say(peer, "{\"act\":{\"values\":[0,0]}}\n").find("\"tick\":1"), std::string::npos);
 }
 
 TEST_F(RobotEndTest, EchoesAResetAndSaysWhyItCannot) {
   const auto peer = commander();
   EXPECT_EQ(say(peer, "{\"reset\":{\"seed\":\"18446744073709551615\",\"episode\":2}}\n"),
             "{\"reset\":{\"seed\":\"18446744073709551615\",\"episode\":2}}\n"
-            "{\"sense\":{\"robots\":[{\"values\":[0,0,\"NaN\"],\"ages_s\":[0,0]}]}}\n");
+            "{\"sense\":{\"values\":[0,0,\"NaN\"],\"ages_s\":[0,0]}}\n");
   robot_.refuses_reset = true;
   EXPECT_NE(say(peer, "{\"reset\":{}}\n").find("cannot be reset: no place to stand"), std::string::npos);
 }
@@ -206,9 +206,34 @@ TEST_F(RobotEndTest, AnswersHeartbeatsWithItsOwnTime) {
 TEST_F(RobotEndTest, IgnoresWhatALaterVersionAdds) {
   const auto peer = commander();
   EXPECT_EQ(say(peer, "{\"telepathy\":{\"strength\":1}}\n"), "");
-  EXPECT_NE(say(peer, "{\"act\":{\"mood\":\"good\",\"robots\":[{\"values\":[0,0]}]}}\n").find("\"tick\":1"),
-            std::string::npos);
+  EXPECT_NE(say(peer, "{\"act\":{\"mood\":\"good\",\"values\":[0,0]}}\n").find("\"tick\":1"), std::string::npos);
   EXPECT_FALSE(end_.closing(peer));
+}
+
+TEST_F(RobotEndTest, LetsAControllerOnASerialLineStartAgain) {
+  const auto line = end_.open(Carrier::Packets, "serial", now_s_);
+  FrameWriter writer(Carrier::Packets, Encoding::Binary);
+  wire::Hello hello;
+  hello.set_major(1);
+  std::string bytes;
+  ASSERT_TRUE(writer.append(hello, bytes));
+  wire::Act act;
+  act.add_values(0.5);
+  act.add_values(0.5);
+  ASSERT_TRUE(writer.append(act, bytes));
+  say(line, bytes);
+  ASSERT_EQ(robot_.done().size(), 1u);
+  bytes.clear();
+  hello.set_role(wire::WATCH);  // somebody else was plugged in, who only looks
+  ASSERT_TRUE(writer.append(hello, bytes));
+  say(line, bytes);
+  EXPECT_FALSE(end_.commands(line));
+  bytes.clear();
+  hello.set_role(wire::COMMAND);
+  ASSERT_TRUE(writer.append(hello, bytes));
+  now_s_ = 2;
+  say(line, bytes);
+  EXPECT_TRUE(end_.commands(line));
 }
 
 /// Sessions with a few bytes changed, left out or put in, fed in pieces.
@@ -223,8 +248,8 @@ TEST(RobotEnd, SurvivesSpoiltSessions) {
       std::string session = controller.outgoing();
       FrameWriter writer(carrier, encoding);
       wire::Act act;
-      act.add_robots()->add_values(0.5);
-      act.mutable_robots(0)->add_values(-0.5);
+      act.add_values(0.5);
+      act.add_values(-0.5);
       for (std::uint32_t tick = 0; tick < 5; ++tick) {
         act.set_tick(tick);
         ASSERT_TRUE(writer.append(act, session));

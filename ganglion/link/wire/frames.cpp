@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ganglion/base/hash.h"
 
@@ -11,16 +12,21 @@ namespace {
 using Doubles = google::protobuf::RepeatedField<double>;
 using Floats = google::protobuf::RepeatedField<float>;
 
-void write_numbers(std::span<const double> values, bool floats, Doubles& wide, Floats& narrow) {
-  const int count = static_cast<int>(values.size());
+/// Writes the same kind of numbers of every robot, one after the other, as doubles or floats.
+template <class Frames, class Numbers>
+void write_numbers(const Frames& frames, bool floats, Numbers&& numbers, Doubles& wide, Floats& narrow) {
+  const int count = static_cast<int>(frames.size() * numbers(frames.front()).size());
   wide.Resize(floats ? 0 : count, 0);
   narrow.Resize(floats ? count : 0, 0);
-  for (int n = 0; n < count; ++n) {
-    const double value = canonical(values[static_cast<std::size_t>(n)]);
-    if (floats) {
-      narrow.Set(n, static_cast<float>(value));
-    } else {
-      wide.Set(n, value);
+  double* to = wide.mutable_data();
+  float* to32 = narrow.mutable_data();
+  for (const auto& frame : frames) {
+    for (const double value : numbers(frame)) {
+      if (floats) {
+        *to32++ = static_cast<float>(canonical(value));
+      } else {
+        *to++ = canonical(value);
+      }
     }
   }
 }
@@ -31,22 +37,48 @@ bool fits(const Doubles& wide, const Floats& narrow, std::size_t count) noexcept
          (wide.empty() && narrow.size() == static_cast<int>(count));
 }
 
-void read_numbers(const Doubles& wide, const Floats& narrow, std::span<double> into) noexcept {
-  for (std::size_t n = 0; n < into.size(); ++n) {
-    const int at = static_cast<int>(n);
-    into[n] = canonical(wide.empty() ? static_cast<double>(narrow.Get(at)) : wide.Get(at));
-  }
+/// Numbers of either field, one after the other.
+class Numbers {
+ public:
+  Numbers(const Doubles& wide, const Floats& narrow) noexcept
+      : wide_(wide.empty() ? nullptr : wide.data()), narrow_(narrow.empty() ? nullptr : narrow.data()) {}
+  bool any() const noexcept { return wide_ != nullptr || narrow_ != nullptr; }
+  double next() noexcept { return canonical(wide_ != nullptr ? *wide_++ : static_cast<double>(*narrow_++)); }
+
+ private:
+  const double* wide_;
+  const float* narrow_;
+};
+
+using Words = google::protobuf::RepeatedField<std::uint32_t>;
+bool fits(const Words& words, std::size_t count) noexcept {
+  return words.empty() || words.size() == static_cast<int>(count);
 }
 
 }  // namespace
 
-void write_sense(const SenseFrame& frame, bool floats, wire::RobotSense& out) {
-  write_numbers(frame.values, floats, *out.mutable_values(), *out.mutable_values32());
-  write_numbers(frame.ages_s, floats, *out.mutable_ages_s(), *out.mutable_ages32_s());
+void write_senses(std::span<const SenseFrame> frames, bool floats, wire::Sense& out) {
+  out.set_tick(frames.front().tick);
+  out.set_time_s(canonical(frames.front().time_s));
+  write_numbers(
+      frames, floats, [](const SenseFrame& frame) -> const auto& { return frame.values; }, *out.mutable_values(),
+      *out.mutable_values32());
+  write_numbers(
+      frames, floats, [](const SenseFrame& frame) -> const auto& { return frame.ages_s; }, *out.mutable_ages_s(),
+      *out.mutable_ages32_s());
   out.clear_cost_j();
   out.clear_cost32_j();
-  if (frame.cost && !floats) out.set_cost_j(canonical(*frame.cost));
-  if (frame.cost && floats) out.set_cost32_j(static_cast<float>(*frame.cost));
+  const bool known =
+      std::any_of(frames.begin(), frames.end(), [](const auto& frame) { return frame.cost.has_value(); });
+  for (const SenseFrame& frame : frames) {
+    if (!known) break;
+    const double cost_J = canonical(frame.cost.value_or(std::numeric_limits<double>::quiet_NaN()));
+    if (floats) {
+      out.add_cost32_j(static_cast<float>(cost_J));
+    } else {
+      out.add_cost_j(cost_J);
+    }
+  }
 }
 
 std::uint32_t ttl_ms_of(std::span<const ActFrame> frames) noexcept {
@@ -57,50 +89,68 @@ std::uint32_t ttl_ms_of(std::span<const ActFrame> frames) noexcept {
   return static_cast<std::uint32_t>(std::clamp(std::ceil(longest_s * 1000 - 1e-6), 1.0, 3.6e6));
 }
 
-void write_act(const ActFrame& frame, std::uint32_t ttl_ms, bool floats, wire::RobotAct& out) {
-  write_numbers(frame.values, floats, *out.mutable_values(), *out.mutable_values32());
-  const int channels = static_cast<int>(frame.ttl_s.size());
-  const bool common =
-      std::all_of(frame.ttl_s.begin(), frame.ttl_s.end(), [ttl_ms](double ttl_s) { return ttl_s == ttl_ms / 1000.0; });
-  out.mutable_ttl_s()->Resize(common ? 0 : channels, 0);
-  if (!common) std::copy(frame.ttl_s.begin(), frame.ttl_s.end(), out.mutable_ttl_s()->begin());
-  const bool plain = std::all_of(frame.origins.begin(), frame.origins.end(),
-                                 [](CommandOrigin origin) { return origin == CommandOrigin::Commanded; });
-  out.mutable_origins()->Resize(plain ? 0 : channels, 0);
-  out.mutable_reasons()->Resize(plain ? 0 : channels, 0);
-  for (int n = 0; n < channels && !plain; ++n) {
-    out.set_origins(n, static_cast<std::uint32_t>(frame.origins[static_cast<std::size_t>(n)]));
-    out.set_reasons(n, frame.reasons[static_cast<std::size_t>(n)]);
+void write_acts(std::span<const ActFrame> frames, bool floats, wire::Act& out) {
+  out.set_ttl_ms(ttl_ms_of(frames));
+  const double ttl_s = out.ttl_ms() / 1000.0;
+  write_numbers(
+      frames, floats, [](const ActFrame& frame) -> const auto& { return frame.values; }, *out.mutable_values(),
+      *out.mutable_values32());
+  bool common = true, plain = true;
+  for (const ActFrame& frame : frames) {
+    for (std::size_t n = 0; n < frame.ttl_s.size(); ++n) {
+      common = common && frame.ttl_s[n] == ttl_s;
+      plain = plain && frame.origins[n] == CommandOrigin::Commanded;
+    }
+  }
+  out.clear_ttl_s();
+  out.clear_origins();
+  out.clear_reasons();
+  for (const ActFrame& frame : frames) {
+    for (std::size_t n = 0; n < frame.ttl_s.size(); ++n) {
+      if (!common) out.add_ttl_s(frame.ttl_s[n]);
+      if (!plain) out.add_origins(static_cast<std::uint32_t>(frame.origins[n]));
+      if (!plain) out.add_reasons(frame.reasons[n]);
+    }
   }
 }
 
-bool read_sense(const wire::RobotSense& message, SenseFrame& frame) noexcept {
-  const bool ages = !message.ages_s().empty() || !message.ages32_s().empty();
-  if (!fits(message.values(), message.values32(), frame.values.size())) return false;
-  if (ages && !fits(message.ages_s(), message.ages32_s(), frame.ages_s.size())) return false;
-  read_numbers(message.values(), message.values32(), frame.values);
-  std::fill(frame.ages_s.begin(), frame.ages_s.end(), 0.0);
-  if (ages) read_numbers(message.ages_s(), message.ages32_s(), frame.ages_s);
-  frame.cost.reset();
-  if (message.has_cost_j()) frame.cost = canonical(message.cost_j());
-  if (message.has_cost32_j()) frame.cost = canonical(static_cast<double>(message.cost32_j()));
+bool read_senses(const wire::Sense& message, std::span<SenseFrame> frames) noexcept {
+  const std::size_t robots = frames.size(), values = robots * frames.front().values.size();
+  Numbers ages(message.ages_s(), message.ages32_s()), costs(message.cost_j(), message.cost32_j());
+  if (!fits(message.values(), message.values32(), values)) return false;
+  if (ages.any() && !fits(message.ages_s(), message.ages32_s(), robots * frames.front().ages_s.size())) return false;
+  if (costs.any() && !fits(message.cost_j(), message.cost32_j(), robots)) return false;
+  Numbers numbers(message.values(), message.values32());
+  for (SenseFrame& frame : frames) {
+    frame.tick = message.tick();
+    frame.time_s = canonical(message.time_ms() != 0 ? message.time_ms() / 1000.0 : message.time_s());
+    for (double& value : frame.values) value = numbers.next();
+    for (double& age_s : frame.ages_s) age_s = ages.any() ? ages.next() : 0;
+    frame.cost.reset();
+    if (!costs.any()) continue;
+    if (const double cost_J = costs.next(); !std::isnan(cost_J)) frame.cost = cost_J;
+  }
   return true;
 }
 
-bool read_act(const wire::RobotAct& message, double ttl_s, ActFrame& frame) noexcept {
-  const int channels = static_cast<int>(frame.ttl_s.size());
-  if (!fits(message.values(), message.values32(), frame.values.size())) return false;
-  if (!message.ttl_s().empty() && message.ttl_s_size() != channels) return false;
-  if (!message.origins().empty() && message.origins_size() != channels) return false;
-  if (!message.reasons().empty() && message.reasons_size() != channels) return false;
-  read_numbers(message.values(), message.values32(), frame.values);
-  for (int n = 0; n < channels; ++n) {
-    const auto at = static_cast<std::size_t>(n);
-    frame.ttl_s[at] = message.ttl_s().empty() ? ttl_s : message.ttl_s(n);
-    const std::uint32_t origin = message.origins().empty() ? 0 : message.origins(n);
-    frame.origins[at] =
-        static_cast<CommandOrigin>(std::min(origin, static_cast<std::uint32_t>(CommandOrigin::Refused)));
-    frame.reasons[at] = static_cast<std::uint16_t>(message.reasons().empty() ? 0 : message.reasons(n));
+bool read_acts(const wire::Act& message, std::span<ActFrame> frames) noexcept {
+  const std::size_t commands = frames.size() * frames.front().ttl_s.size();
+  if (!fits(message.values(), message.values32(), frames.size() * frames.front().values.size())) return false;
+  if (!message.ttl_s().empty() && message.ttl_s_size() != static_cast<int>(commands)) return false;
+  if (!fits(message.origins(), commands) || !fits(message.reasons(), commands)) return false;
+  const double ttl_s = message.ttl_ms() == 0 ? kDefaultTtl_s : message.ttl_ms() / 1000.0;
+  constexpr auto kLast = static_cast<std::uint32_t>(CommandOrigin::Refused);
+  Numbers numbers(message.values(), message.values32());
+  int at = 0;
+  for (ActFrame& frame : frames) {
+    frame.tick = message.tick();
+    for (double& value : frame.values) value = numbers.next();
+    for (std::size_t n = 0; n < frame.ttl_s.size(); ++n, ++at) {
+      frame.ttl_s[n] = message.ttl_s().empty() ? ttl_s : message.ttl_s(at);
+      const std::uint32_t origin = message.origins().empty() ? 0 : message.origins(at);
+      frame.origins[n] = static_cast<CommandOrigin>(std::min(origin, kLast));
+      frame.reasons[n] = static_cast<std::uint16_t>(message.reasons().empty() ? 0 : message.reasons(at));
+    }
   }
   return true;
 }

@@ -8,19 +8,20 @@ namespace ganglion::link {
 /// Time to live of commands that give none [s].
 inline constexpr double kDefaultTtl_s = 0.3;
 
-/// Between frames as controllers see them and messages. Numbers are made canonical on both ways (application.h), and
-/// with `floats` rounded to single precision. Nothing is allocated once the messages have their size.
-void write_sense(const SenseFrame& frame, bool floats, wire::RobotSense& out);
+/// Between frames as controllers see them, one for each robot, and messages. Numbers are made canonical on both ways
+/// (application.h), and with `floats` rounded to single precision. Nothing is allocated once the messages have their
+/// size.
+void write_senses(std::span<const SenseFrame> frames, bool floats, wire::Sense& out);
 /// Times to live are left out where all are those of the whole Act.
-void write_act(const ActFrame& frame, std::uint32_t ttl_ms, bool floats, wire::RobotAct& out);
+void write_acts(std::span<const ActFrame> frames, bool floats, wire::Act& out);
 
 /// The time to live that holds for a whole Act: the longest of all channels, rounded up [ms]; 1 where all have run out.
 std::uint32_t ttl_ms_of(std::span<const ActFrame> frames) noexcept;
 
-/// Fill a frame of the described size; its tick and time are the caller's. False, and nothing changed, where the
-/// message has other sizes.
-bool read_sense(const wire::RobotSense& message, SenseFrame& frame) noexcept;
-bool read_act(const wire::RobotAct& message, double ttl_s, ActFrame& frame) noexcept;
+/// Fill frames of the described size, tick and time included. False, and nothing changed, where the message has other
+/// sizes.
+bool read_senses(const wire::Sense& message, std::span<SenseFrame> frames) noexcept;
+bool read_acts(const wire::Act& message, std::span<ActFrame> frames) noexcept;
 
 /// Puts commands within the limits of the robot: what is not finite becomes the safe value (Refused), times to live lie
 /// in [0, max_ttl_s].

@@ -99,33 +99,31 @@ TEST(FrameReader, LeavesOutDamagedPacketsAndFindsTheNext) {
   EXPECT_EQ(*reader.encoding(), Encoding::Json);
 }
 
-/// Act { tick 300, ttl_ms 40, robots [{ values [1, -2] }] }, put together by hand after protobuf's rules.
+/// Act { tick 300, ttl_ms 40, values [1, -2] }, put together by hand after protobuf's rules.
 const std::string kActBytes =
-    "\x22\x19"
+    "\x22\x17"
     "\x08\xAC\x02"
     "\x10\x28"
-    "\x22\x12"
-    "\x0A\x10\0\0\0\0\0\0\xF0\x3F\0\0\0\0\0\0\0\xC0"s;
+    "\x22\x10\0\0\0\0\0\0\xF0\x3F\0\0\0\0\0\0\0\xC0"s;
 
 TEST(Codec, WritesWhatAHandWrittenDecoderReads) {
   wire::Act message;
   message.set_tick(300);
   message.set_ttl_ms(40);
-  message.add_robots()->add_values(1);
-  message.mutable_robots(0)->add_values(-2);
+  message.add_values(1);
+  message.add_values(-2);
   std::string bytes;
   ASSERT_TRUE(FrameWriter(Carrier::Stream, Encoding::Binary).append(message, bytes));
-  EXPECT_EQ(bytes, "\0\0\0\x1B"s + kActBytes);
+  EXPECT_EQ(bytes, "\0\0\0\x19"s + kActBytes);
 }
 
 TEST(Codec, ReadsBothEncodingsAlike) {
   wire::Sense sense;
   sense.set_tick(4'000'000'000u);
   sense.set_time_s(0.1);
-  wire::RobotSense& robot = *sense.add_robots();
-  for (const double value : {0.1, -1e-300, 1.7976931348623157e308, 5e-324, 2.0 / 3}) robot.add_values(value);
-  for (const double value : {INFINITY, -INFINITY}) robot.add_ages_s(value);
-  robot.set_cost_j(0);
+  for (const double value : {0.1, -1e-300, 1.7976931348623157e308, 5e-324, 2.0 / 3}) sense.add_values(value);
+  for (const double value : {INFINITY, -INFINITY}) sense.add_ages_s(value);
+  sense.add_cost_j(0);
   for (const Encoding encoding : {Encoding::Binary, Encoding::Json}) {
     std::string bytes;
     ASSERT_TRUE(FrameWriter(Carrier::Stream, encoding).append(sense, bytes));
@@ -134,7 +132,6 @@ TEST(Codec, ReadsBothEncodingsAlike) {
     Messages messages;
     ASSERT_EQ(decode(**reader.next(), encoding, messages).value(), FrameKind::Sense);
     EXPECT_EQ(messages.sense.SerializeAsString(), sense.SerializeAsString());
-    EXPECT_TRUE(messages.sense.robots(0).has_cost_j());
   }
 }
 
@@ -214,29 +211,29 @@ TEST(Frames, SpellEveryNumberInOneWay) {
   SenseFrame sense = make_sense_frame(described());
   sense.values = {-0.0, -std::numeric_limits<double>::quiet_NaN(), INFINITY};
   sense.ages_s = {0, 1};
-  wire::RobotSense message;
-  write_sense(sense, false, message);
+  wire::Sense message;
+  write_senses({&sense, 1}, false, message);
   EXPECT_FALSE(std::signbit(message.values(0)));
   EXPECT_FALSE(std::signbit(message.values(1)));
   SenseFrame back = make_sense_frame(described());
   message.set_values(0, -0.0);
-  ASSERT_TRUE(read_sense(message, back));
+  ASSERT_TRUE(read_senses(message, {&back, 1}));
   EXPECT_FALSE(std::signbit(back.values[0]));
   EXPECT_EQ(back.values[2], INFINITY);
   message.add_values(1);
-  EXPECT_FALSE(read_sense(message, back));
+  EXPECT_FALSE(read_senses(message, {&back, 1}));
 }
 
 TEST(Frames, CarrySingleNumbersForSmallRobots) {
   ActFrame act = make_act_frame(described());
   act.values = {0.1, -0.25};
-  wire::RobotAct message;
-  write_act(act, 300, true, message);
+  wire::Act message;
+  write_acts({&act, 1}, true, message);
   EXPECT_EQ(message.values_size(), 0);
   EXPECT_EQ(message.values32(0), 0.1f);
   EXPECT_EQ(message.ttl_s_size(), 0);
   ActFrame back = make_act_frame(described());
-  ASSERT_TRUE(read_act(message, 0.3, back));
+  ASSERT_TRUE(read_acts(message, {&back, 1}));
   EXPECT_EQ(back.values, (std::vector<double>{0.1f, -0.25}));
   EXPECT_EQ(back.ttl_s, act.ttl_s);
 }
@@ -245,11 +242,10 @@ TEST(Frames, CarryTimesToLiveExactly) {
   ActFrame act = make_act_frame(described());
   for (const double ttl_s : {0.3, 0.04, 0.3 - 0.1, 1.0 / 3, 0.0}) {
     act.ttl_s = {ttl_s};
-    const std::uint32_t ttl_ms = ttl_ms_of({&act, 1});
-    wire::RobotAct message;
-    write_act(act, ttl_ms, false, message);
+    wire::Act message;
+    write_acts({&act, 1}, false, message);
     ActFrame back = make_act_frame(described());
-    ASSERT_TRUE(read_act(message, ttl_ms / 1000.0, back));
+    ASSERT_TRUE(read_acts(message, {&back, 1}));
     EXPECT_EQ(back.ttl_s[0], ttl_s);
   }
   act.ttl_s = {0.2504};

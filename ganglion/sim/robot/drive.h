@@ -42,6 +42,11 @@ class Drive {
   /// The centre's speed if it is the same in all sub-steps to come, which are exact then however long they are; +inf
   /// where the drive cannot promise that, and short sub-steps are taken.
   virtual double steady_mps() const noexcept { return std::numeric_limits<double>::infinity(); }
+  /// What move() would give; asked only of drives with a steady_mps().
+  virtual Movement foreseen(const Pose2& pose, double step_s) const noexcept {
+    static_cast<void>(pose), static_cast<void>(step_s);
+    return {};
+  }
   /// What the last sub-step ran into.
   virtual void feel(bool touched) noexcept { static_cast<void>(touched); }
 };

@@ -38,6 +38,8 @@ class CastRays {
   bool empty() const noexcept { return fan_ == nullptr; }
   double range_m(std::size_t n) const noexcept { return fan_->range_m(first_ + n); }
   Hit hit(std::size_t n) const noexcept { return sight_->hit(*fan_, first_ + n); }
+  /// Of a ray that met something.
+  Sight::Incidence incidence(std::size_t n) const noexcept { return sight_->incidence(*fan_, first_ + n); }
 
  private:
   const Sight* sight_ = nullptr;
@@ -78,10 +80,22 @@ Hit cast_own(const Scene& scene, Vector2 ray, double reach_m) noexcept;
 inline Hit first_hit(const Scene& scene, Vector2 ray, std::size_t n, double reach_m) noexcept {
   return scene.rays.empty() ? cast_own(scene, ray, reach_m) : scene.rays.hit(n);
 }
-/// Only how far it goes.
+/// Only how far it goes; more than reach_m where it meets nothing.
 inline double first_range_m(const Scene& scene, Vector2 ray, std::size_t n, double reach_m) noexcept {
   return scene.rays.empty() ? cast_own(scene, ray, reach_m).range_m : scene.rays.range_m(n);
 }
+
+/// The reading of an ideal ranger: how far its only ray goes.
+struct Ranging {
+  double min_m = 0;  ///< What is nearer is too close: -inf.
+  double max_m = 0;  ///< What is farther is not seen: +inf.
+
+  double reading_m(double range_m) const noexcept {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    const double seen_m = range_m <= max_m ? range_m : kInfinity;
+    return range_m < min_m ? -kInfinity : seen_m;
+  }
+};
 
 struct Limits {
   double min = -std::numeric_limits<double>::infinity();
@@ -97,6 +111,8 @@ class Sensor {
   Sensor& operator=(const Sensor&) = delete;
   virtual ~Sensor() = default;
 
+  /// Whether a reading depends on what came before it. One that does not serves all robots of its model.
+  virtual bool remembers() const noexcept { return true; }
   /// Between what the finite values of the n-th channel lie.
   virtual Limits limits(std::size_t channel) const noexcept = 0;
   /// The rays it casts whenever it fires, from its mount and up to reach_m(): unit vectors in its own frame, in the
@@ -104,6 +120,8 @@ class Sensor {
   virtual std::span<const Vector2> rays() const noexcept { return {}; }
   /// How far it sees; 0 = not at all. Rays that it casts itself, ways there included, end no farther off either.
   virtual double reach_m() const noexcept { return 0; }
+  /// If all it does is to give the range of its only ray: those of a robot are read together, measure() is not called.
+  virtual std::optional<Ranging> ranging() const noexcept { return std::nullopt; }
   /// Cosine of half the cone of what it sends when it fires; none if it only listens.
   virtual std::optional<double> ping_cos_half_cone() const noexcept { return std::nullopt; }
   /// An episode begins. Fails where the scene makes no sense to it.
@@ -112,7 +130,8 @@ class Sensor {
   virtual bool follows() const noexcept { return false; }
   /// A sub-step has gone by: for devices with inertia.
   virtual void follow(const Scene&, double step_s) noexcept { static_cast<void>(step_s); }
-  /// What the controller commanded; the device may listen (a trainer does).
+  /// Whether it listens to what the controller commands (a trainer does).
+  virtual bool hears() const noexcept { return false; }
   virtual void hear(const ActFrame&) noexcept {}
   /// Fires. `values` has the values of all channels, one after the other; missing readings after REP-117.
   virtual void measure(const Scene& scene, Draws& draws, std::span<double> values) noexcept = 0;

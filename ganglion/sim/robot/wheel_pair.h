@@ -24,6 +24,8 @@ class WheelPair {
   /// See Drive::supply(): speeds fall with the voltage.
   void supply(double share) noexcept { supply_ = share; }
   Movement move(const Pose2& pose, double step_s) noexcept;
+  /// See Drive::foreseen().
+  Movement foreseen(const Pose2& pose, double step_s) const noexcept { return WheelPair(*this).move(pose, step_s); }
   /// See Drive::steady_mps(): once the motors have followed their duties.
   double steady_mps() const noexcept;
 
@@ -36,10 +38,15 @@ class WheelPair {
   /// The way of one rim within a step; its speed changes.
   double roll(Side& side, double gain, double step_s) noexcept;
 
+  /// The unit vector of that yaw, remembered for those who drive straight.
+  Vector2 towards(double yaw_rad) noexcept;
+
   WheelPairConfig config_;
   FirstOrderLag lag_;
   Side left_, right_;
   double supply_ = 1;
+  double towards_rad_ = 0;
+  Vector2 towards_{1, 0};
 };
 
 /// The parameters that both kinds list in their descriptors.

@@ -30,7 +30,8 @@ void Body::make_room(std::size_t robots) {
 
 void Body::reset(const Pose2& pose, const StreamId& chance) noexcept {
   truth_ = {};
-  truth_.pose = truth_.start = pose;
+  truth_.pose = truth_.start = {pose.position, pose.yaw.wrapped()};
+  ahead_ = direction(truth_.pose.yaw.rad());
   contacts_.clear();
   room_m_ = 0;
   drive_->reset();
@@ -65,11 +66,28 @@ double Body::steady_way_m(double step_s) const noexcept {
   return drive_->steady_mps() * step_s;
 }
 
-bool Body::off_ground(const Ground& ground, double way_m) noexcept {
+Body::Way Body::way(double way_m, double step_s) const noexcept {
+  const Movement movement = drive_->foreseen(truth_.pose, step_s);
+  const double turn_rad = std::fabs(movement.turn_rad);
+  return {movement.displacement, turn_rad < kPi / 2 ? way_m * turn_rad / 4 : way_m};
+}
+
+bool Body::off_ground(const Ground& ground, double way_m, double step_s) noexcept {
   if (room_m_ > way_m + kClear_m) return true;
-  const double up_to_m = model_->radius_m + way_m + kLookAhead_m;
-  room_m_ = std::isfinite(way_m) ? ground.clearance(truth_.pose.position, up_to_m) - model_->radius_m : 0;
-  return room_m_ > way_m + kClear_m;
+  if (!std::isfinite(way_m)) return false;
+  const Vector2 here = truth_.pose.position;
+  room_m_ = ground.clearance(here, model_->radius_m + way_m + kLookAhead_m) - model_->radius_m;
+  if (room_m_ > way_m + kClear_m) return true;
+  const Way way = this->way(way_m, step_s);
+  Contact first;
+  ground.sweep(here, way.chord, model_->radius_m + way.bulge_m + kClear_m, first);
+  return !first.happened();
+}
+
+double Body::nearest_m(Vector2 point, double way_m, double step_s) const noexcept {
+  const Way way = this->way(way_m, step_s);
+  const Vector2 here = truth_.pose.position;
+  return (point - nearest_on_segment(point, here, here + way.chord)).length() - way.bulge_m;
 }
 
 void Body::advance_freely(double step_s) noexcept {
@@ -127,7 +145,10 @@ void Body::go(const Movement& movement, Vector2 to, double path_m, double step_s
   truth_.velocity_mps = gone * (1 / step_s);
   truth_.turn_rate_radps = movement.turn_rad / step_s;
   truth_.pose.position = to;
-  truth_.pose.yaw = (truth_.pose.yaw + Angle::from_rad(movement.turn_rad)).wrapped();
+  if (movement.turn_rad != 0) {
+    truth_.pose.yaw = (truth_.pose.yaw + Angle::from_rad(movement.turn_rad)).wrapped();
+    ahead_ = direction(truth_.pose.yaw.rad());
+  }
   truth_.left_m += movement.left_m;
   truth_.right_m += movement.right_m;
   truth_.travelled_m += path_m;

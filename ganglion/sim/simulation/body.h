@@ -25,8 +25,10 @@ class Body {
   /// The way its centre goes in the step just begun if nothing stops it; +inf where that is not known, or where it does
   /// not drive steadily through the whole step.
   double steady_way_m(double step_s) const noexcept;
-  /// Whether no surface of the ground can be touched within a way of that length.
-  bool off_ground(const Ground& ground, double way_m) noexcept;
+  /// Whether it touches no surface of the ground in the whole step, driving steadily a way of that length.
+  bool off_ground(const Ground& ground, double way_m, double step_s) noexcept;
+  /// Where it goes in the whole step, driving steadily: how near at least its centre comes to a point.
+  double nearest_m(Vector2 point, double way_m, double step_s) const noexcept;
   /// The whole step at once, for a robot that drives steadily and meets nothing.
   void advance_freely(double step_s) noexcept;
   /// The sub-step [elapsed_s, elapsed_s + step_s) of that step, begun at time_s. Where the time to live ends within it,
@@ -44,9 +46,17 @@ class Body {
   void bumped(Vector2 normal, double speed_mps, double time_s) noexcept;
 
   const Truth& truth() const noexcept { return truth_; }
+  /// The unit vector of its yaw.
+  Vector2 ahead() const noexcept { return ahead_; }
   Disc disc() const noexcept { return {truth_.pose.position, model_->radius_m}; }
 
  private:
+  /// The way of a whole step, driving steadily: an arc lies between its chord and bulge_m beside it.
+  struct Way {
+    Vector2 chord{};
+    double bulge_m = 0;
+  };
+  Way way(double way_m, double step_s) const noexcept;
   void lapse(double step_s) noexcept;
   void move(const World& world, Neighbours& all, std::size_t self, double time_s, double step_s) noexcept;
   World::Slide slide(const World& world, Neighbours& all, std::size_t self, Vector2 displacement) noexcept;
@@ -68,6 +78,7 @@ class Body {
   ContactMemory contacts_;
   FloorRide ride_;
   Truth truth_;
+  Vector2 ahead_{1, 0};
 };
 
 }  // namespace ganglion::sim
