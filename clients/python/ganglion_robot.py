@@ -54,10 +54,15 @@ def as_json(value: float):
 
 
 def as_count(value) -> int:
-    number = as_number(value)
-    if not (0 <= number < 1 << 64 and number == int(number)):
+    """A whole number; those of 64 bits may come as texts."""
+    if isinstance(value, str) and value.isdecimal() and len(value) <= 20:
+        value = int(value)
+    if not (isinstance(value, int) and not isinstance(value, bool)):
+        number = as_number(value)
+        value = int(number) if number.is_integer() else -1
+    if not 0 <= value < 1 << 64:
         raise Broken(f"{str(value)[:40]!r} is no whole number >= 0")
-    return int(value) if isinstance(value, int) or str(value).isdecimal() else int(number)
+    return value
 
 
 def as_list(value) -> list[float]:

@@ -178,6 +178,7 @@ class Asked(unittest.TestCase):
                 moved.append(session.first)
                 while moved[-1]["values"][0] != moved[-2]["values"][0] or moved[-1]["time_s"] == moved[-2]["time_s"]:
                     moved.append(session.hear("sense"))
+                    self.assertLess(before - moved[-1]["values"][0], 0.5, "it does not stop")
             way_m = before - moved[-1]["values"][0]
             self.assertGreater(way_m, 0)
             self.assertLess(way_m, 0.2 * 0.2 + 0.2 * 0.15, "0.2 m/s for 0.2 s, and one tick's delay")
@@ -232,4 +233,4 @@ class Manual(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:])
