@@ -344,7 +344,10 @@ static void answer_beat(const ganglion_robot* robot, const fields* beat, uint32_
 static void reset(ganglion_robot* robot, frame* echo) {
   take_safe_values(robot);
   robot->next_tick = 0;
-  if (robot->config->reset) robot->config->reset(robot->config->user);
+  if (robot->config->reset) {
+    robot->tick = robot->time_ms = 0; /* free-running, the time comes with the next tick */
+    robot->config->reset(robot->config->user);
+  }
   send(robot, echo);
   send_sense(robot);
 }

@@ -53,7 +53,7 @@ typedef struct {
   void (*sense)(void* user, float* values);                      /* measures: all sensations in the order of Describe */
   void (*act)(void* user, const float* values);                  /* drives: finite, within the limits */
   void (*step)(void* user, uint32_t step_ms); /* lock-step: lets that time pass; null where time goes by itself */
-  void (*reset)(void* user);                  /* begins again; null where there is nothing to reset */
+  void (*reset)(void* user);                  /* begins again, at tick 0; null where that cannot be */
   uint32_t (*random)(void* user);             /* for session tokens: another number after every start */
 } ganglion_robot_config;
 

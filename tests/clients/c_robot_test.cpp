@@ -287,11 +287,16 @@ TEST(CRobot, AnswersHeartbeatsAndEchoesResets) {
   wire::Reset reset;
   reset.set_seed(std::numeric_limits<std::uint64_t>::max());
   reset.set_episode(3);
+  robot.say(step(0, 0));
+  ASSERT_EQ(robot.last(), FrameKind::Sense);
+  EXPECT_EQ(robot.in.sense.tick(), 1u);
   robot.say(reset);
   ASSERT_EQ(robot.next(), FrameKind::Reset);
   EXPECT_EQ(robot.in.reset.seed(), reset.seed());
   EXPECT_EQ(robot.in.reset.episode(), 3u);
-  EXPECT_EQ(robot.next(), FrameKind::Sense);
+  ASSERT_EQ(robot.next(), FrameKind::Sense);
+  EXPECT_EQ(robot.in.sense.tick(), 0u);
+  EXPECT_EQ(robot.in.sense.time_ms(), 0u);
   EXPECT_EQ(robot.resets, 1);
 }
 
