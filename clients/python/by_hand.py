@@ -7,13 +7,14 @@ sensations = [{"name": name, "unit": "m", "min": 0.02, "max": 3} for name in ("s
 sensations.append({"name": "compass.heading", "unit": "rad", "type": "CIRCULAR"})
 wheels = [{"name": name, "min": -1, "max": 1, "safe": 0} for name in ("left", "right")]
 while True:
-    stream = listener.accept()[0].makefile("rw", errors="replace")
+    connection = listener.accept()[0]
 
     def say(kind, **content):
-        stream.write(json.dumps({kind: content}) + "\n")
-        stream.flush()
+        connection.sendall((json.dumps({kind: content}) + "\n").encode())
 
-    while (line := stream.readline()).startswith("{"):  # it speaks JSON only
+    for line in connection.makefile(errors="replace"):
+        if not line.startswith("{"):
+            break  # it speaks JSON only
         kind, content = next(iter(json.loads(line).items()))
         if kind == "hello":
             say("hello", major=1, token=token, last_tick=tick, resumed=content.get("token") == token)
@@ -34,4 +35,4 @@ while True:
         if kind in ("hello", "reset", "act"):
             range_m = (3 - x_m) / math.cos(yaw_rad) if math.cos(yaw_rad) > 0.1 else math.inf
             say("sense", tick=tick, time_s=tick / 10, values=[range_m if range_m < 3 else "Infinity"] * 2 + [yaw_rad])
-    stream.close()
+    connection.close()

@@ -58,14 +58,16 @@ class Session:
 
     def __init__(self, program: Program, **hello):
         self.stream = program.connect()
-        self.file = self.stream.makefile("rw")
+        self.file = self.stream.makefile()  # for reading only: writing to it would drop what was read ahead
         if hello:
             self.say("hello", major=1, **hello)
             self.hello, self.describe, self.first = self.hear("hello"), self.hear("describe"), self.hear("sense")
 
     def say(self, kind: str, **content):
-        self.file.write(json.dumps({kind: content}) + "\n")
-        self.file.flush()
+        self.type(json.dumps({kind: content}))
+
+    def type(self, line: str):
+        self.stream.sendall(line.encode() + b"\n")
 
     def line(self) -> dict:
         text = self.file.readline()
@@ -198,8 +200,7 @@ class Asked(unittest.TestCase):
         with robot("example.py") as program:
             for line in rubbish:
                 with Session(program) as session:
-                    session.file.write(line + "\n")
-                    session.file.flush()
+                    session.type(line)
                     self.assertTrue(session.hear("bye")["reason"], line)
             bad = ({"values": [1]}, {"values": [1, []]}, {"values": "1"}, {"values": [1, 1], "step_s": -1},
                    {"values": [1, 1], "tick": 1.5}, {"values": [1, 1], "ttl_s": [1, 2, 3]})  # fmt: skip
@@ -225,8 +226,7 @@ class Manual(unittest.TestCase):
         with Program(GANGLION, *words) as program, Session(program) as session:
             for line in lines[2:]:
                 if line.startswith("> "):
-                    session.file.write(line[2:] + "\n")
-                    session.file.flush()
+                    session.type(line[2:])
                     continue
                 pattern = re.escape(line).replace(re.escape("..."), ".*")
                 self.assertRegex(session.file.readline(), f"^{pattern}\n$")
