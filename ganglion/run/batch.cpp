@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cmath>
 #include <mutex>
+#include <new>
 #include <thread>
 
 namespace ganglion {
@@ -13,15 +14,16 @@ namespace {
 struct Work {
   const Prepared& prepared;
   const BatchOptions& options;
-  std::vector<std::optional<RunResult>> results;
+  std::vector<std::optional<RunResult>> results{};
   std::atomic<std::size_t> next{0};
   std::atomic<bool> stop{false};
-  std::mutex mutex;  // guards what follows
+  std::atomic<bool> out_of_memory{false};
+  std::mutex mutex{};  // guards what follows
   std::size_t done = 0;
-  std::optional<Error> error;
+  std::optional<Error> error{};
 };
 
-void work_through(Work& work) {
+void work_through_seeds(Work& work) {
   while (!work.stop) {
     const std::size_t index = work.next++;
     if (index >= work.results.size()) return;
@@ -46,11 +48,20 @@ void work_through(Work& work) {
   }
 }
 
+/// The same; want of memory is kept for the thread that asked for the batch.
+void work_through(Work& work) noexcept {
+  try {
+    work_through_seeds(work);
+  } catch (const std::bad_alloc&) {
+    work.out_of_memory = work.stop = true;
+  }
+}
+
 }  // namespace
 
 Result<std::vector<RunResult>> run_batch(const Prepared& prepared, const BatchOptions& options) {
   expects(options.last_seed >= options.first_seed);
-  Work work{prepared, options, {}, {}, {}, {}, 0, {}};
+  Work work{prepared, options};
   work.results.resize(options.last_seed - options.first_seed + 1);
   const unsigned threads =
       options.threads > 0 ? static_cast<unsigned>(options.threads) : std::max(1u, std::thread::hardware_concurrency());
@@ -58,6 +69,7 @@ Result<std::vector<RunResult>> run_batch(const Prepared& prepared, const BatchOp
     std::vector<std::jthread> pool;
     for (unsigned i = 0; i < threads; ++i) pool.emplace_back([&work] { work_through(work); });
   }
+  if (work.out_of_memory) throw std::bad_alloc();
   if (work.error) return tl::unexpected<Error>(*work.error);
   std::vector<RunResult> results;
   for (auto& result : work.results) {

@@ -18,7 +18,7 @@ struct BatchOptions {
 };
 
 /// Runs every seed, in parallel; results stand in order of the seeds, whatever thread did them. A run that could not be
-/// carried out stops the batch with its error.
+/// carried out stops the batch with its error; want of memory in any thread is thrown from here, as std::bad_alloc.
 Result<std::vector<RunResult>> run_batch(const Prepared& prepared, const BatchOptions& options);
 
 /// Lower quartile, median and upper quartile of one measure over a batch, NaN left out (linear interpolation, as R's
