@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <mutex>
 #include <new>
 #include <thread>
+
+#include "ganglion/math/quantile.h"
 
 namespace ganglion {
 namespace {
@@ -78,24 +79,13 @@ Result<std::vector<RunResult>> run_batch(const Prepared& prepared, const BatchOp
   return results;
 }
 
-double quantile(std::vector<double> values, double p) {
-  std::erase_if(values, [](double value) { return std::isnan(value); });
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  std::sort(values.begin(), values.end());
-  const double at = p * static_cast<double>(values.size() - 1);
-  const auto low = static_cast<std::size_t>(at);
-  const std::size_t high = std::min(low + 1, values.size() - 1);
-  if (values[low] == values[high]) return values[low];  // also where both are infinite
-  return values[low] + (at - static_cast<double>(low)) * (values[high] - values[low]);
-}
-
 std::vector<Quartiles> quartiles(const std::vector<RunResult>& results) {
   std::vector<Quartiles> summary;
   if (results.empty()) return summary;
   for (const auto& [name, first] : results.front().measures) {
     std::vector<double> values;
     for (const RunResult& result : results) values.push_back(measure(result.measures, name));
-    summary.push_back({name, quantile(values, 0.25), quantile(values, 0.5), quantile(values, 0.75)});
+    summary.push_back({name, math::quantile(values, 0.25), math::quantile(values, 0.5), math::quantile(values, 0.75)});
   }
   return summary;
 }
