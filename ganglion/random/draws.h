@@ -23,10 +23,11 @@ struct StreamId {
 class Draws {
  public:
   Draws(const StreamId& stream, std::uint32_t tick) noexcept;
-  /// The draws of the same stream at another tick, from the first.
-  Draws at(std::uint32_t tick) const noexcept {
+  /// The draws of another robot's stream at another tick, from the first.
+  Draws at(std::uint32_t robot, std::uint32_t tick) const noexcept {
     Draws other = *this;
     other.counter_[1] = tick;
+    other.counter_[2] = robot;
     other.draw_ = 0;
     other.foreseen_ = false;
     return other;

@@ -97,6 +97,8 @@ class Sensor {
   Sensor& operator=(const Sensor&) = delete;
   virtual ~Sensor() = default;
 
+  /// Whether a reading depends on what came before it. One that does not serves all robots of its model.
+  virtual bool remembers() const noexcept { return true; }
   /// Between what the finite values of the n-th channel lie.
   virtual Limits limits(std::size_t channel) const noexcept = 0;
   /// The rays it casts whenever it fires, from its mount and up to reach_m(): unit vectors in its own frame, in the
@@ -112,7 +114,8 @@ class Sensor {
   virtual bool follows() const noexcept { return false; }
   /// A sub-step has gone by: for devices with inertia.
   virtual void follow(const Scene&, double step_s) noexcept { static_cast<void>(step_s); }
-  /// What the controller commanded; the device may listen (a trainer does).
+  /// Whether it listens to what the controller commands (a trainer does).
+  virtual bool hears() const noexcept { return false; }
   virtual void hear(const ActFrame&) noexcept {}
   /// Fires. `values` has the values of all channels, one after the other; missing readings after REP-117.
   virtual void measure(const Scene& scene, Draws& draws, std::span<double> values) noexcept = 0;

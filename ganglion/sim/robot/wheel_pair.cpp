@@ -44,6 +44,14 @@ double WheelPair::roll(Side& side, double gain, double step_s) noexcept {
   return wanted_mps * step_s + missing_mps * config_.lag_s * share;
 }
 
+Vector2 WheelPair::towards(double yaw_rad) noexcept {
+  if (yaw_rad != towards_rad_) {
+    towards_rad_ = yaw_rad;
+    towards_ = direction(yaw_rad);
+  }
+  return towards_;
+}
+
 Movement WheelPair::move(const Pose2& pose, double step_s) noexcept {
   Movement movement;
   movement.left_m = roll(left_, config_.left_gain, step_s);
@@ -51,7 +59,7 @@ Movement WheelPair::move(const Pose2& pose, double step_s) noexcept {
   movement.turn_rad = (movement.right_m - movement.left_m) / config_.track_m;
   const double half_turn_rad = movement.turn_rad / 2;
   const double chord_m = (movement.left_m + movement.right_m) / 2 * sinc(half_turn_rad);
-  movement.displacement = direction(pose.yaw.rad() + half_turn_rad) * chord_m;
+  if (chord_m != 0) movement.displacement = towards(pose.yaw.rad() + half_turn_rad) * chord_m;
   movement.path_m = std::fabs(movement.left_m + movement.right_m) / 2;
   movement.effort = (std::fabs(left_.duty) + std::fabs(right_.duty)) / 2;
   return movement;

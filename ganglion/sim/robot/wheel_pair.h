@@ -36,10 +36,15 @@ class WheelPair {
   /// The way of one rim within a step; its speed changes.
   double roll(Side& side, double gain, double step_s) noexcept;
 
+  /// The unit vector of that yaw, remembered for those who drive straight.
+  Vector2 towards(double yaw_rad) noexcept;
+
   WheelPairConfig config_;
   FirstOrderLag lag_;
   Side left_, right_;
   double supply_ = 1;
+  double towards_rad_ = 0;
+  Vector2 towards_{1, 0};
 };
 
 /// The parameters that both kinds list in their descriptors.

@@ -30,7 +30,8 @@ void Body::make_room(std::size_t robots) {
 
 void Body::reset(const Pose2& pose, const StreamId& chance) noexcept {
   truth_ = {};
-  truth_.pose = truth_.start = pose;
+  truth_.pose = truth_.start = {pose.position, pose.yaw.wrapped()};
+  ahead_ = direction(truth_.pose.yaw.rad());
   contacts_.clear();
   room_m_ = 0;
   drive_->reset();
@@ -127,7 +128,10 @@ void Body::go(const Movement& movement, Vector2 to, double path_m, double step_s
   truth_.velocity_mps = gone * (1 / step_s);
   truth_.turn_rate_radps = movement.turn_rad / step_s;
   truth_.pose.position = to;
-  truth_.pose.yaw = (truth_.pose.yaw + Angle::from_rad(movement.turn_rad)).wrapped();
+  if (movement.turn_rad != 0) {
+    truth_.pose.yaw = (truth_.pose.yaw + Angle::from_rad(movement.turn_rad)).wrapped();
+    ahead_ = direction(truth_.pose.yaw.rad());
+  }
   truth_.left_m += movement.left_m;
   truth_.right_m += movement.right_m;
   truth_.travelled_m += path_m;

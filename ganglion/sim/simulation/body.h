@@ -44,6 +44,8 @@ class Body {
   void bumped(Vector2 normal, double speed_mps, double time_s) noexcept;
 
   const Truth& truth() const noexcept { return truth_; }
+  /// The unit vector of its yaw.
+  Vector2 ahead() const noexcept { return ahead_; }
   Disc disc() const noexcept { return {truth_.pose.position, model_->radius_m}; }
 
  private:
@@ -68,6 +70,7 @@ class Body {
   ContactMemory contacts_;
   FloorRide ride_;
   Truth truth_;
+  Vector2 ahead_{1, 0};
 };
 
 }  // namespace ganglion::sim

@@ -11,22 +11,37 @@ constexpr double kTimeTolerance_s = 1e-7;  // sums of steps differ from multiple
 
 }  // namespace
 
-Device::Device(const SensorModel& model, std::unique_ptr<Sensor> sensor, std::span<double> values)
-    : model_(&model),
-      sensor_(std::move(sensor)),
-      values_(values),
-      name_hash_(hash_name(model.id)),
-      channels_(model.kind->descriptor.ports.size()) {}
+Device::Device(const SensorModel& model, std::size_t offset)
+    : model_(&model), offset_(offset), name_hash_(hash_name(model.id)) {
+  for (const PortDescriptor& port : model.kind->descriptor.ports) size_ += static_cast<std::size_t>(port.size);
+}
 
-Result<void> Device::reset(const Scene& scene, const StreamId& stream) {
-  draws_ = Draws(stream, 0);
+Result<Device> Device::make(const SensorModel& model, std::size_t robots, std::size_t offset) {
+  Device device(model, offset);
+  do {
+    auto sensor = model.kind->make(model.parameters);
+    if (!sensor) return tl::unexpected<Error>(sensor.error());
+    device.sensors_.push_back(std::move(*sensor));
+    device.shared_ = !device.sensors_.front()->remembers();
+  } while (!device.shared_ && device.sensors_.size() < robots);
+  return device;
+}
+
+void Device::reset(std::uint64_t seed, std::uint32_t episode) noexcept {
+  stream_ = {seed, episode, 0, name_hash_};
+  draws_ = Draws(stream_, 0);
   fired_s_ = -std::numeric_limits<double>::infinity();
-  std::fill(values_.begin(), values_.end(), std::numeric_limits<double>::quiet_NaN());
-  StreamId beginning = stream;
-  beginning.component = combine(stream.component, hash_name("reset"));
-  if (auto begun = sensor_->reset(scene, Draws(beginning, 0)); !begun) return begun;
-  Draws first = draws(scene.tick);
-  if (fires_at_once()) fire(scene, first);
+}
+
+Result<void> Device::reset(std::size_t robot, const Scene& scene, std::span<double> robot_values) {
+  const auto values = robot_values.subspan(offset_, size_);
+  std::fill(values.begin(), values.end(), std::numeric_limits<double>::quiet_NaN());
+  StreamId beginning = stream_;
+  beginning.robot = static_cast<std::uint32_t>(robot);
+  beginning.component = combine(name_hash_, hash_name("reset"));
+  if (auto begun = sensor(robot).reset(scene, Draws(beginning, 0)); !begun) return begun;
+  Draws first = draws(robot, scene.tick);
+  if (fires_at_once()) fire(robot, scene, first, robot_values);
   return {};
 }
 
@@ -44,19 +59,18 @@ bool Device::due(double begin_s, double now_s, double end_s) const noexcept {
 }
 
 bool Device::wants_before(double begin_s, double last_s, double end_s) const noexcept {
-  if (sensor_->follows()) return true;
+  if (sensor().follows()) return true;
   if (model_->period_s <= 0) return false;
   return firings(last_s) > firings(begin_s) && firings(last_s) == firings(end_s);
 }
 
-void Device::fire_faulty(const Scene& scene, Draws& draws) noexcept {
+void Device::fire_faulty(Sensor& sensor, const Scene& scene, Draws& draws, std::span<double> values) noexcept {
   const bool faulty = scene.time_s >= model_->fault_from_s - kTimeTolerance_s;
   const bool has_fired = std::isfinite(fired_s_);
-  fired_s_ = scene.time_s;
   if (faulty && model_->fault == Fault::Dead) {
-    sensor_->broken(values_);
+    sensor.broken(values);
   } else if (!faulty || !has_fired) {
-    sensor_->measure(scene, draws, values_);
+    sensor.measure(scene, draws, values);
   }
 }
 

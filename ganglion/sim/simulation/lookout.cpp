@@ -90,12 +90,12 @@ void Lookout::forget_calls() noexcept {
   std::fill(group_called_.begin(), group_called_.end(), false);
 }
 
-void Lookout::begin(std::size_t robot, const Truth& truth, std::uint32_t tick, double time_s) noexcept {
+void Lookout::begin(std::size_t robot, const Body& body, std::uint32_t tick, double time_s) noexcept {
   robot_ = robot;
   gathered_ = false;
   scene_.emplace(Scene{.world = *world_,
-                       .robot = truth,
-                       .heading = direction(truth.pose.yaw.rad()),
+                       .robot = body.truth(),
+                       .heading = body.ahead(),
                        .others = {},
                        .radius_m = radius_m_,
                        .tick = tick,
@@ -104,7 +104,7 @@ void Lookout::begin(std::size_t robot, const Truth& truth, std::uint32_t tick, d
   for (std::size_t g = 0; g < group_called_.size(); ++g) {
     if (!group_called_[g]) continue;
     if (!gathered_) gather();
-    sight_->cast(fan_, g, truth.pose.position, scene_->heading);
+    sight_->cast(fan_, g, scene_->robot.pose.position, scene_->heading);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "ganglion/sim/simulation/body.h"
 #include "ganglion/sim/simulation/device.h"
 #include "ganglion/sim/simulation/neighbours.h"
 #include "ganglion/sim/world/sight.h"
@@ -15,7 +16,7 @@ namespace ganglion::sim {
 /// cast together. What a robot sees is gathered only if somebody looks.
 class Lookout {
  public:
-  /// For robots of one model; `devices` are those of any. World and neighbours must outlive it. Takes all its memory
+  /// For robots of one model, whose devices these are. World and neighbours must outlive it. Takes all its memory
   /// and that of the neighbours.
   Lookout(const World& world, Neighbours& neighbours, std::size_t robots, const RobotModel& model,
           std::span<const Device> devices);
@@ -28,13 +29,13 @@ class Lookout {
     bool draws_normal = false;  ///< First, when it fires.
   };
   /// Finds out which devices have to do in the sub-step from begin_s to now_s, of a step that ends at end_s; it is the
-  /// same for all robots. `devices` are those of any.
+  /// same for all robots.
   std::span<const Call> call(std::span<const Device> devices, double begin_s, double now_s, double end_s) noexcept;
   /// An episode begins: nobody's rays are cast beforehand, though all get their scenes and those that fire at once
   /// ping.
   void call_first(std::span<const Device> devices) noexcept;
   /// Turns to a robot and casts the rays of its devices that fire.
-  void begin(std::size_t robot, const Truth& truth, std::uint32_t tick, double time_s) noexcept;
+  void begin(std::size_t robot, const Body& body, std::uint32_t tick, double time_s) noexcept;
   /// No other robot's centre is nearer to that of this one; 0 where nobody looked.
   double alone_m() const noexcept { return gathered_ ? alone_m_ : 0; }
   /// The scene of that robot's n-th device; valid until the next call.

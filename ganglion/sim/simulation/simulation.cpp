@@ -19,88 +19,92 @@ Result<std::unique_ptr<Simulation>> Simulation::make(SimulationConfig config) {
   auto spawner = Spawner::make(config.ground, config.spawn, config.robots, config.model->radius_m);
   if (!spawner) return tl::unexpected<Error>(spawner.error());
   std::unique_ptr<Simulation> simulation(new Simulation(std::move(config), std::move(*spawner)));
-  const int robots = simulation->robots();
-  simulation->robots_.reserve(static_cast<std::size_t>(robots));  // devices point into their robot
-  for (int i = 0; i < robots; ++i) {
-    if (auto added = simulation->add_robot(); !added) return tl::unexpected<Error>(added.error());
-  }
+  if (auto added = simulation->add_bodies(); !added) return tl::unexpected<Error>(added.error());
+  if (auto added = simulation->add_devices(); !added) return tl::unexpected<Error>(added.error());
   simulation->prepare();
   return simulation;
 }
 
-Result<void> Simulation::add_robot() {
+Result<void> Simulation::add_bodies() {
   const RobotModel& model = *config_.model;
-  auto drive = model.drive->make(model.drive_parameters);
-  if (!drive) return tl::unexpected<Error>(drive.error());
-  robots_.push_back({Body(model, std::move(*drive)), {}, {}});
-  Robot& robot = robots_.back();
-  robot.body.make_room(static_cast<std::size_t>(config_.robots));
-  robot.values.resize(static_cast<std::size_t>(model.description.sensation_values()));
-  std::size_t offset = 0;
-  for (const SensorModel& sensor : model.sensors) {
-    auto made = sensor.kind->make(sensor.parameters);
-    if (!made) return tl::unexpected<Error>(made.error());
-    std::size_t size = 0;
-    for (const PortDescriptor& port : sensor.kind->descriptor.ports) size += static_cast<std::size_t>(port.size);
-    robot.devices.emplace_back(sensor, std::move(*made), std::span<double>(robot.values).subspan(offset, size));
-    offset += size;
+  const auto robots = static_cast<std::size_t>(config_.robots);
+  bodies_.reserve(robots);
+  for (std::size_t i = 0; i < robots; ++i) {
+    auto drive = model.drive->make(model.drive_parameters);
+    if (!drive) return tl::unexpected<Error>(drive.error());
+    bodies_.emplace_back(model, std::move(*drive));
+    bodies_.back().make_room(robots);
   }
-  expects(offset == robot.values.size());
+  return {};
+}
+
+Result<void> Simulation::add_devices() {
+  for (const SensorModel& sensor : config_.model->sensors) {
+    auto device = Device::make(sensor, bodies_.size(), stride_);
+    if (!device) return tl::unexpected<Error>(device.error());
+    stride_ += device->size();
+    if (device->sensor().hears()) listeners_.push_back(devices_.size());
+    devices_.push_back(std::move(*device));
+  }
+  expects(stride_ == static_cast<std::size_t>(config_.model->description.sensation_values()));
   return {};
 }
 
 /// What depends on all robots and their devices.
 void Simulation::prepare() {
-  way_m_.resize(robots_.size());
-  alone_m_.resize(robots_.size());
-  busy_.reserve(robots_.size());
-  draws_.reserve(robots_.front().devices.size());
-  lookout_ = std::make_unique<Lookout>(world_, neighbours_, robots_.size(), *config_.model, robots_.front().devices);
+  values_.resize(stride_ * bodies_.size());
+  ages_s_.resize(config_.model->description.sensations.size());
+  way_m_.resize(bodies_.size());
+  alone_m_.resize(bodies_.size());
+  busy_.reserve(bodies_.size());
+  draws_.reserve(devices_.size());
+  lookout_ = std::make_unique<Lookout>(world_, neighbours_, bodies_.size(), *config_.model, devices_);
 }
 
 Result<void> Simulation::reset(std::uint64_t seed, std::uint32_t episode) {
   tick_ = substeps_ = pace_steps_ = 0;
   time_s_ = pace_s_ = pace_began_s_ = 0;
   world_.reset(seed, episode);
-  std::vector<Pose2> poses(robots_.size());
+  std::vector<Pose2> poses(bodies_.size());
   if (auto placed = spawner_.place(world_, seed, episode, poses); !placed) return placed;
-  for (std::size_t i = 0; i < robots_.size(); ++i) {
-    robots_[i].body.reset(poses[i], {seed, episode, static_cast<std::uint32_t>(i), hash_name("floor")});
-    neighbours_.put(i, robots_[i].body.disc());
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    bodies_[i].reset(poses[i], {seed, episode, static_cast<std::uint32_t>(i), hash_name("floor")});
+    neighbours_.put(i, bodies_[i].disc());
   }
   neighbours_.sort();
   std::fill(alone_m_.begin(), alone_m_.end(), 0);
-  lookout_->call_first(robots_.front().devices);
-  for (std::size_t i = 0; i < robots_.size(); ++i) {
-    std::vector<Device>& devices = robots_[i].devices;
-    lookout_->begin(i, robots_[i].body.truth(), 0, 0);
-    for (std::size_t n = 0; n < devices.size(); ++n) {
-      const StreamId stream{seed, episode, static_cast<std::uint32_t>(i), devices[n].name_hash()};
-      if (auto ready = devices[n].reset(lookout_->scene(n), stream); !ready) return ready;
+  lookout_->call_first(devices_);
+  for (Device& device : devices_) device.reset(seed, episode);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    lookout_->begin(i, bodies_[i], 0, 0);
+    for (std::size_t n = 0; n < devices_.size(); ++n) {
+      if (auto ready = devices_[n].reset(i, lookout_->scene(n), values_of(i)); !ready) return ready;
     }
+  }
+  for (Device& device : devices_) {
+    if (device.fires_at_once()) device.fired(0);
   }
   return {};
 }
 
 void Simulation::sense(std::span<SenseFrame> frames) noexcept {
-  expects(frames.size() == robots_.size());
+  expects(frames.size() == bodies_.size());
+  std::size_t channel = 0;
+  for (const Device& device : devices_) {
+    for (std::size_t n = 0; n < device.channels(); ++n) ages_s_[channel++] = device.age_s(time_s_);
+  }
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    const Robot& robot = robots_[i];
     SenseFrame& frame = frames[i];
     frame.tick = tick_;
     frame.time_s = time_s_;
-    frame.cost = tick_ == 0 ? std::nullopt : std::optional(robot.body.truth().step_energy_J);
-    std::copy(robot.values.begin(), robot.values.end(), frame.values.begin());
-    std::size_t channel = 0;
-    for (const Device& device : robot.devices) {
-      const double age_s = device.age_s(time_s_);
-      for (std::size_t n = 0; n < device.channels(); ++n) frame.ages_s[channel++] = age_s;
-    }
+    frame.cost = tick_ == 0 ? std::nullopt : std::optional(bodies_[i].truth().step_energy_J);
+    std::copy_n(values_.begin() + static_cast<std::ptrdiff_t>(i * stride_), stride_, frame.values.begin());
+    std::copy(ages_s_.begin(), ages_s_.end(), frame.ages_s.begin());
   }
 }
 
 void Simulation::step(std::span<const ActFrame> frames, double step_s) noexcept {
-  expects(frames.size() == robots_.size() && step_s > 0);
+  expects(frames.size() == bodies_.size() && step_s > 0);
   if (step_s != pace_s_) {
     pace_s_ = step_s;
     pace_began_s_ = time_s_;
@@ -108,8 +112,8 @@ void Simulation::step(std::span<const ActFrame> frames, double step_s) noexcept 
   }
   const double end_s = pace_began_s_ + step_s * (pace_steps_ + 1);
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    robots_[i].body.begin(frames[i], step_s);
-    for (Device& device : robots_[i].devices) device.hear(frames[i]);
+    bodies_[i].begin(frames[i], step_s);
+    for (const std::size_t n : listeners_) devices_[n].hear(i, frames[i]);
   }
   const int count = std::max(1, static_cast<int>(std::ceil(step_s / config_.model->substep_s - 1e-9)));
   const double length_s = step_s / count, last_s = time_s_ + length_s * (count - 1);
@@ -133,7 +137,7 @@ void Simulation::step(std::span<const ActFrame> frames, double step_s) noexcept 
 }
 
 bool Simulation::devices_wait(double last_s, double end_s) const noexcept {
-  for (const Device& device : robots_.front().devices) {  // all robots have the same
+  for (const Device& device : devices_) {
     if (device.wants_before(time_s_, last_s, end_s)) return false;
   }
   return true;
@@ -141,13 +145,13 @@ bool Simulation::devices_wait(double last_s, double end_s) const noexcept {
 
 void Simulation::move_free_robots(double step_s) noexcept {
   double longest_m = 0;
-  for (std::size_t i = 0; i < robots_.size(); ++i) {
-    way_m_[i] = robots_[i].body.steady_way_m(step_s);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    way_m_[i] = bodies_[i].steady_way_m(step_s);
     longest_m = std::max(longest_m, std::min(way_m_[i], config_.model->radius_m));
   }
   busy_.clear();
-  for (std::size_t i = 0; i < robots_.size(); ++i) {
-    Body& body = robots_[i].body;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    Body& body = bodies_[i];
     const double apart_m = 2 * config_.model->radius_m + way_m_[i] + longest_m;
     // Who goes farther than its own radius is never sure: then the others need not look far for it.
     const bool free = way_m_[i] <= config_.model->radius_m && body.off_ground(world_.ground(), way_m_[i]) &&
@@ -155,65 +159,73 @@ void Simulation::move_free_robots(double step_s) noexcept {
     if (!free) busy_.push_back(i);
   }
   std::size_t busy = 0;
-  for (std::size_t i = 0; i < robots_.size(); ++i) {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (busy < busy_.size() && busy_[busy] == i) {
       ++busy;
       continue;
     }
-    robots_[i].body.advance_freely(step_s);
-    neighbours_.put(i, robots_[i].body.disc());
+    bodies_[i].advance_freely(step_s);
+    neighbours_.put(i, bodies_[i].disc());
   }
 }
 
 void Simulation::move_busy_robots(double elapsed_s, double step_s) noexcept {
   for (const std::size_t i : busy_) {
-    robots_[i].body.advance(world_, neighbours_, i, elapsed_s, time_s_ + elapsed_s, step_s);
-    neighbours_.put(i, robots_[i].body.disc());
+    bodies_[i].advance(world_, neighbours_, i, elapsed_s, time_s_ + elapsed_s, step_s);
+    neighbours_.put(i, bodies_[i].disc());
     tell_bumps(i, time_s_ + elapsed_s);
   }
 }
 
 void Simulation::tell_bumps(std::size_t robot, double time_s) noexcept {
-  for (const Body::Bump& bump : robots_[robot].body.bumps()) {
-    robots_[bump.robot].body.bumped(-bump.normal, bump.speed_mps, time_s);
+  for (const Body::Bump& bump : bodies_[robot].bumps()) {
+    bodies_[bump.robot].bumped(-bump.normal, bump.speed_mps, time_s);
   }
 }
 
 void Simulation::run_devices(double begin_s, double now_s, double end_s) noexcept {
   std::fill(alone_m_.begin(), alone_m_.end(), 0);
-  const auto calls = lookout_->call(robots_.front().devices, begin_s, now_s, end_s);  // all robots have the same
-  const bool any_draw = std::any_of(calls.begin(), calls.end(), [](const auto& call) { return call.draws_normal; });
-  for (std::size_t i = 0; i < robots_.size() && !calls.empty(); ++i) {
-    lookout_->begin(i, robots_[i].body.truth(), tick_ + 1, now_s);
+  const auto calls = lookout_->call(devices_, begin_s, now_s, end_s);
+  if (calls.empty()) return;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    lookout_->begin(i, bodies_[i], tick_ + 1, now_s);
     alone_m_[i] = lookout_->alone_m();
-    if (any_draw) draw(robots_[i], calls);
-    Draws* drawn = draws_.data();
-    for (const Lookout::Call& call : calls) {
-      Device& device = robots_[i].devices[call.device];
-      const Scene& scene = lookout_->scene(call.device);
-      if (call.follows) device.follow(scene, now_s - begin_s);
-      if (!call.fires) continue;
-      if (call.draws_normal) {
-        device.fire(scene, *drawn++);
-      } else {
-        Draws draws = device.draws(tick_ + 1);
-        device.fire(scene, draws);
-      }
+    run_devices(i, calls, now_s - begin_s);
+  }
+  for (const Lookout::Call& call : calls) {
+    if (call.fires) devices_[call.device].fired(now_s);
+  }
+}
+
+void Simulation::run_devices(std::size_t robot, std::span<const Lookout::Call> calls, double substep_s) noexcept {
+  const auto values = values_of(robot);
+  draw(robot, calls);
+  Draws* drawn = draws_.data();
+  for (const Lookout::Call& call : calls) {
+    Device& device = devices_[call.device];
+    const Scene& scene = lookout_->scene(call.device);
+    if (call.follows) device.follow(robot, scene, substep_s);
+    if (!call.fires) continue;
+    if (call.draws_normal) {
+      device.fire(robot, scene, *drawn++, values);
+    } else {
+      Draws draws = device.draws(robot, tick_ + 1);
+      device.fire(robot, scene, draws, values);
     }
   }
 }
 
-void Simulation::draw(const Robot& robot, std::span<const Lookout::Call> calls) noexcept {
+void Simulation::draw(std::size_t robot, std::span<const Lookout::Call> calls) noexcept {
   draws_.clear();
   for (const Lookout::Call& call : calls) {
-    if (call.draws_normal) draws_.push_back(robot.devices[call.device].draws(tick_ + 1));
+    if (call.draws_normal) draws_.push_back(devices_[call.device].draws(robot, tick_ + 1));
   }
   Draws::foresee_normals(draws_);
 }
 
 const TrainerLog* Simulation::trainer_log(int robot) const noexcept {
-  for (const Device& device : robot_at(robot).devices) {
-    if (const TrainerLog* log = device.sensor().trainer_log()) return log;
+  for (const Device& device : devices_) {
+    if (const TrainerLog* log = device.sensor(static_cast<std::size_t>(robot)).trainer_log()) return log;
   }
   return nullptr;
 }

@@ -44,7 +44,7 @@ class Simulation final : public Application {
 
   std::uint32_t tick() const noexcept { return tick_; }
   double time_s() const noexcept { return time_s_; }
-  const Truth& truth(int robot) const noexcept { return robot_at(robot).body.truth(); }
+  const Truth& truth(int robot) const noexcept { return bodies_[static_cast<std::size_t>(robot)].truth(); }
   const World& world() const noexcept { return world_; }
   const RobotModel& model() const noexcept { return *config_.model; }
   /// Of the robot's first trainer; null if it has none.
@@ -53,15 +53,14 @@ class Simulation final : public Application {
   bool trainer_done() const noexcept;
 
  private:
-  struct Robot {
-    Body body;
-    std::vector<double> values;  // of all sensations, in the order of frames
-    std::vector<Device> devices;
-  };
   explicit Simulation(SimulationConfig config, Spawner spawner);
-  Result<void> add_robot();
+  Result<void> add_bodies();
+  Result<void> add_devices();
   void prepare();
-  const Robot& robot_at(int robot) const noexcept { return robots_[static_cast<std::size_t>(robot)]; }
+  /// Of all sensations of a robot, in the order of frames.
+  std::span<double> values_of(std::size_t robot) noexcept {
+    return std::span(values_).subspan(robot * stride_, stride_);
+  }
   /// Whether no device wants to know what happens before the step's last sub-step, which begins at last_s.
   bool devices_wait(double last_s, double end_s) const noexcept;
   /// Moves those that can meet nothing through the whole step; busy_ holds the others.
@@ -69,13 +68,19 @@ class Simulation final : public Application {
   void move_busy_robots(double elapsed_s, double step_s) noexcept;
   void tell_bumps(std::size_t robot, double time_s) noexcept;
   void run_devices(double begin_s, double now_s, double end_s) noexcept;
+  void run_devices(std::size_t robot, std::span<const Lookout::Call> calls, double substep_s) noexcept;
   /// Fills draws_ for the calls of a robot's devices.
-  void draw(const Robot& robot, std::span<const Lookout::Call> calls) noexcept;
+  void draw(std::size_t robot, std::span<const Lookout::Call> calls) noexcept;
 
   SimulationConfig config_;
   Spawner spawner_;
   World world_;
-  std::vector<Robot> robots_;
+  std::vector<Body> bodies_;
+  std::vector<Device> devices_;
+  std::vector<std::size_t> listeners_;  // those of them that hear commands
+  std::size_t stride_ = 0;              // values of one robot
+  std::vector<double> values_;          // of all robots
+  std::vector<double> ages_s_;          // of all channels, the same for all robots
   Neighbours neighbours_;
   std::vector<double> way_m_;      // of each robot in this step
   std::vector<double> alone_m_;    // how near at least the others were to each after the last step; 0 = unknown

@@ -21,6 +21,7 @@ struct CompassConfig {
 class Compass final : public Sensor {
  public:
   explicit Compass(const CompassConfig& config) noexcept : config_(config), lag_(config.lag_s) {}
+  bool remembers() const noexcept override { return config_.lag_s > 0; }
   Limits limits(std::size_t) const noexcept override { return {-kPi, kPi}; }
   Result<void> reset(const Scene& scene, Draws draws) override;
   bool follows() const noexcept override { return config_.lag_s > 0; }

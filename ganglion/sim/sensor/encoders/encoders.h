@@ -18,6 +18,7 @@ struct EncodersConfig {
 class Encoders final : public Sensor {
  public:
   explicit Encoders(const EncodersConfig& config) noexcept : config_(config) {}
+  bool remembers() const noexcept override { return config_.scatter_m > 0; }
   Limits limits(std::size_t) const noexcept override { return {-1e9, 1e9}; }
   Result<void> reset(const Scene& scene, Draws draws) override;
   bool draws_normal() const noexcept override { return config_.scatter_m > 0; }

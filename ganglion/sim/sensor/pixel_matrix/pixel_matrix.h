@@ -32,6 +32,7 @@ class PixelMatrix final : public Sensor {
   static constexpr int kSide = 8;
 
   explicit PixelMatrix(const PixelMatrixConfig& config) noexcept;
+  bool remembers() const noexcept override { return false; }
   Limits limits(std::size_t) const noexcept override { return {0, 1}; }
   double reach_m() const noexcept override { return config_.reach_m; }
   void measure(const Scene& scene, Draws& draws, std::span<double> values) noexcept override;

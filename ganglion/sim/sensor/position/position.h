@@ -9,6 +9,7 @@ class Position final : public Sensor {
  public:
   /// Standard deviation of each coordinate of one reading.
   explicit Position(double noise_m) noexcept : noise_m_(noise_m) {}
+  bool remembers() const noexcept override { return false; }
   Limits limits(std::size_t) const noexcept override { return {-1e6, 1e6}; }
   void measure(const Scene& scene, Draws& draws, std::span<double> values) noexcept override;
 

@@ -15,6 +15,7 @@ struct RangeConfig {
 class Range final : public Sensor {
  public:
   explicit Range(const RangeConfig& config) noexcept : config_(config) {}
+  bool remembers() const noexcept override { return false; }
   Limits limits(std::size_t) const noexcept override { return {config_.min_range_m, config_.max_range_m}; }
   double reach_m() const noexcept override { return config_.max_range_m; }
   std::span<const Vector2> rays() const noexcept override { return {&kAhead, 1}; }

@@ -54,6 +54,7 @@ struct SonarConfig {
 class Sonar final : public Sensor {
  public:
   explicit Sonar(const SonarConfig& config);
+  bool remembers() const noexcept override { return false; }
   Limits limits(std::size_t channel) const noexcept override;
   double reach_m() const noexcept override { return config_.max_range_m; }
   std::span<const Vector2> rays() const noexcept override { return rays_; }

@@ -34,6 +34,7 @@ class Trainer final : public Sensor, public TrainerLog {
   Limits limits(std::size_t channel) const noexcept override;
   /// Fails with BadParameter where there are no cells to draw from, with TooLarge where the grid has too many.
   Result<void> reset(const Scene& scene, Draws draws) override;
+  bool hears() const noexcept override { return true; }
   void hear(const ActFrame& frame) noexcept override;
   void measure(const Scene& scene, Draws& draws, std::span<double> values) noexcept override;
   const TrainerLog* trainer_log() const noexcept override { return this; }
