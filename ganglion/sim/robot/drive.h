@@ -42,6 +42,8 @@ class Drive {
   /// The centre's speed if it is the same in all sub-steps to come, which are exact then however long they are; +inf
   /// where the drive cannot promise that, and short sub-steps are taken.
   virtual double steady_mps() const noexcept { return std::numeric_limits<double>::infinity(); }
+  /// Whether another robot can push it away; one that goes by places keeps to them.
+  virtual bool yields() const noexcept { return true; }
   /// What the last sub-step ran into.
   virtual void feel(bool touched) noexcept { static_cast<void>(touched); }
 };

@@ -33,7 +33,6 @@ Result<void> Simulation::add_bodies() {
     auto drive = model.drive->make(model.drive_parameters);
     if (!drive) return tl::unexpected<Error>(drive.error());
     bodies_.emplace_back(model, std::move(*drive));
-    bodies_.back().make_room(robots);
   }
   return {};
 }
@@ -57,6 +56,9 @@ void Simulation::prepare() {
   way_m_.resize(bodies_.size());
   alone_m_.resize(bodies_.size());
   busy_.reserve(bodies_.size());
+  wanted_.resize(bodies_.size());
+  crowd_ = std::make_unique<Crowd>(config_.model->radius_m, bodies_.front().yields());
+  crowd_->make_room(bodies_.size());
   draws_.reserve(devices_.size());
   lookout_ = std::make_unique<Lookout>(world_, neighbours_, bodies_.size(), *config_.model, devices_);
 }
@@ -171,15 +173,34 @@ void Simulation::move_free_robots(double step_s) noexcept {
 
 void Simulation::move_busy_robots(double elapsed_s, double step_s) noexcept {
   for (const std::size_t i : busy_) {
-    bodies_[i].advance(world_, neighbours_, i, elapsed_s, time_s_ + elapsed_s, step_s);
-    neighbours_.put(i, bodies_[i].disc());
-    tell_bumps(i, time_s_ + elapsed_s);
+    bodies_[i].intend(world_.ground().plan().floor, elapsed_s, step_s);
+    wanted_[i] = bodies_[i].way();
   }
+  crowd_->gather(neighbours_, busy_, wanted_);
+  for (const std::size_t i : busy_) {
+    if (!crowd_->has(i)) move_alone(i, time_s_ + elapsed_s, step_s);
+  }
+  if (!crowd_->members().empty()) move_crowd(time_s_ + elapsed_s, step_s);
 }
 
-void Simulation::tell_bumps(std::size_t robot, double time_s) noexcept {
-  for (const Body::Bump& bump : bodies_[robot].bumps()) {
-    bodies_[bump.robot].bumped(-bump.normal, bump.speed_mps, time_s);
+void Simulation::move_alone(std::size_t robot, double time_s, double step_s) noexcept {
+  Body& body = bodies_[robot];
+  World::Slide slide{body.truth().pose.position, false, {}};
+  if (wanted_[robot].squared() > 0) slide = world_.slide(slide.position, wanted_[robot], config_.model->radius_m);
+  body.settle(world_.ground().plan().floor, slide.position, slide.touched, step_s);
+  if (slide.touched) body.note_contact(slide.normal, -wanted_[robot].dot(slide.normal) / step_s, time_s);
+  neighbours_.put(robot, body.disc());
+}
+
+void Simulation::move_crowd(double time_s, double step_s) noexcept {
+  crowd_->push(world_, neighbours_);
+  const Floor& floor = world_.ground().plan().floor;
+  for (const std::size_t i : crowd_->members())
+    bodies_[i].settle(floor, neighbours_.discs()[i].position, crowd_->pressed(i), step_s);
+  for (const Crowd::Press& press : crowd_->presses()) {
+    Body& body = bodies_[press.robot];
+    if (!crowd_->has(press.robot)) body.bumped();
+    body.note_contact(press.normal, press.closing_m / step_s, time_s);
   }
 }
 

@@ -1,0 +1,173 @@
+#include "ganglion/sim/simulation/crowd.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ganglion::sim {
+namespace {
+
+constexpr std::size_t kMeetingsPerRobot = 16;  // on the average; what is over is only blocked
+constexpr double kTouch_m = 1e-6;              // discs this close to each other touch
+constexpr int kLooks = 4;                      // at what the ways found so far run into
+constexpr int kSweeps = 200;                   // over all meetings
+constexpr double kExact_m = 1e-10;
+constexpr int kRounds = 6;                // in which those behind follow those ahead
+constexpr double kSameNormal = 1 - 1e-6;  // cosine
+
+}  // namespace
+
+void Crowd::make_room(std::size_t robots) {
+  way_.resize(robots);
+  busy_.resize(robots);
+  member_.resize(robots);
+  pressed_.resize(robots);
+  members_.reserve(robots);
+  near_.reserve(robots);
+  meetings_.reserve(kMeetingsPerRobot * robots);
+  presses_.reserve(2 * kMeetingsPerRobot * robots);
+}
+
+void Crowd::gather(Neighbours& all, std::span<const std::size_t> busy, std::span<const Vector2> ways) noexcept {
+  for (const std::uint32_t member : members_) member_[member] = 0;
+  for (const Press& press : presses_) pressed_[press.robot] = 0;
+  members_.clear();
+  meetings_.clear();
+  presses_.clear();
+  std::fill(busy_.begin(), busy_.end(), 0);
+  double longest_m = 0;
+  for (const std::size_t robot : busy) {
+    busy_[robot] = 1;
+    way_[robot] = ways[robot];
+    longest_m = std::max(longest_m, ways[robot].length());
+  }
+  const double reach_m = 2 * (radius_m_ + longest_m) + kTouch_m;
+  for (const std::size_t robot : busy) {
+    const auto near = all.within(all.discs()[robot].position, reach_m, robot);
+    if (near.empty()) continue;
+    member_[robot] = 1;
+    members_.push_back(static_cast<std::uint32_t>(robot));
+    for (const std::uint32_t other : near) {
+      if (busy_[other] != 0 && other < robot) continue;  // that one has seen this one
+      if (meetings_.size() == meetings_.capacity()) break;
+      meetings_.push_back(
+          {.robot = static_cast<std::uint32_t>(robot), .other = other, .other_stands = busy_[other] == 0});
+    }
+  }
+}
+
+Vector2 Crowd::way_between(const Meeting& meeting) const noexcept {
+  return meeting.other_stands ? way_[meeting.robot] : way_[meeting.robot] - way_[meeting.other];
+}
+
+/// Which pairs meet on the ways found so far. True if any does that did not before.
+bool Crowd::activate(const Neighbours& all) noexcept {
+  bool news = false;
+  for (Meeting& meeting : meetings_) {
+    if (meeting.active || meeting.wall) continue;
+    const Vector2 apart = all.discs()[meeting.robot].position - all.discs()[meeting.other].position;
+    const Vector2 way = way_between(meeting);
+    Contact first;
+    sweep_disc(apart, way, radius_m_, {{0, 0}, radius_m_}, first);
+    if (!first.happened()) continue;
+    meeting.active = news = true;
+    meeting.normal = first.normal;
+    meeting.gap_m = std::max(apart.dot(first.normal) - 2 * radius_m_, 0.0);
+    meeting.closing_m = std::max(-way.dot(first.normal), 0.0);
+  }
+  return news;
+}
+
+/// The walls and movers that the ways found so far run into. True if there is any that was not known.
+bool Crowd::find_walls(const World& world, const Neighbours& all) noexcept {
+  bool news = false;
+  for (const std::uint32_t robot : members_) {
+    if (!(way_[robot].squared() > 0) || meetings_.size() == meetings_.capacity()) continue;
+    const Vector2 from = all.discs()[robot].position;
+    const World::Slide slide = world.slide(from, way_[robot], radius_m_);
+    if (!slide.touched) continue;
+    const auto known = [&](const Meeting& meeting) {
+      return meeting.wall && meeting.robot == robot && meeting.normal.dot(slide.normal) > kSameNormal;
+    };
+    if (std::any_of(meetings_.begin(), meetings_.end(), known)) continue;
+    meetings_.push_back({.robot = robot,
+                         .wall = true,
+                         .active = true,
+                         .normal = slide.normal,
+                         .gap_m = std::max(-slide.normal.dot(slide.position - from), 0.0),
+                         .closing_m = std::max(-slide.normal.dot(way_[robot]), 0.0)});
+    news = true;
+  }
+  return news;
+}
+
+/// Shares what one meeting lacks evenly between the two; by how much that changed its push.
+double Crowd::mend(Meeting& meeting) noexcept {
+  const double lacks_m = -(meeting.normal.dot(way_between(meeting)) + meeting.gap_m);
+  const double push_m = std::max(0.0, meeting.push_m + lacks_m * (meeting.other_stands ? 1 : 0.5));
+  const double change_m = push_m - meeting.push_m;
+  meeting.push_m = push_m;
+  way_[meeting.robot] += meeting.normal * change_m;
+  if (!meeting.other_stands) way_[meeting.other] = way_[meeting.other] - meeting.normal * change_m;
+  return std::fabs(change_m);
+}
+
+/// Projected Gauss-Seidel: sweeps over the meetings until none changes any more.
+void Crowd::solve() noexcept {
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    double most_m = 0;
+    for (Meeting& meeting : meetings_) {
+      if (meeting.active) most_m = std::max(most_m, mend(meeting));
+    }
+    if (most_m < kExact_m) return;
+  }
+}
+
+void Crowd::push(const World& world, Neighbours& all) noexcept {
+  bool news = activate(all);
+  news = find_walls(world, all) || news;
+  for (int look = 0; look < kLooks && news && yields_; ++look) {
+    solve();
+    news = activate(all);
+    news = find_walls(world, all) || news;
+  }
+  list_presses();
+  carry(world, all);
+}
+
+void Crowd::list_presses() noexcept {
+  for (const Meeting& meeting : meetings_) {
+    if (!meeting.active || (yields_ && !(meeting.push_m > 0))) continue;
+    presses_.push_back({meeting.robot, meeting.normal, meeting.closing_m});
+    pressed_[meeting.robot] = 1;
+    if (meeting.wall) continue;
+    presses_.push_back({meeting.other, -meeting.normal, meeting.closing_m});
+    pressed_[meeting.other] = 1;
+  }
+}
+
+/// The ways are right up to curvature and rounding; this goes them without ever overlapping anything.
+void Crowd::carry(const World& world, Neighbours& all) noexcept {
+  bool moved = true;
+  for (int round = 0; round < kRounds && moved; ++round) {
+    moved = false;
+    for (std::size_t n = 0; n < members_.size(); ++n) {
+      const std::size_t at = round % 2 == 0 ? n : members_.size() - 1 - n;
+      moved = carry(members_[at], world, all) || moved;
+    }
+  }
+}
+
+bool Crowd::carry(std::size_t robot, const World& world, Neighbours& all) noexcept {
+  const double left_m = way_[robot].length();
+  if (!(left_m > kExact_m)) return false;
+  const Vector2 from = all.discs()[robot].position;
+  near_.clear();
+  for (const std::uint32_t other : all.within(from, left_m + 2 * radius_m_ + kTouch_m, robot))
+    near_.push_back(all.discs()[other]);
+  const Vector2 to = world.slide(from, way_[robot], radius_m_, near_).position;
+  way_[robot] = way_[robot] - (to - from);
+  all.put(robot, {to, radius_m_});
+  return (to - from).squared() > kExact_m * kExact_m;
+}
+
+}  // namespace ganglion::sim
