@@ -45,6 +45,7 @@ RobotMeasures::RobotMeasures(const sim::Ground& ground, const sim::Truth& start,
   far_wall_m_ = ground.far_wall_m(start_, course_);
   reach_m_ = far_wall_m_ - radius_m - kFarWallMargin_m;
   at_far_wall_ = reach_m_ <= 0;
+  slopes_ = std::ranges::any_of(ground.plan().floor.zones, [](const sim::FloorZone& zone) { return zone.grade > 0; });
   find_signals(controller);
 }
 
@@ -70,6 +71,8 @@ void RobotMeasures::update(double time_s, double step_s, const sim::Truth& truth
   } else {
     dwell_.add(time_s, truth.pose.position);
   }
+  if (truth.stalled) stalled_s_ += step_s;
+  if (truth.tipped) tipped_s_ += step_s;
   visited_.insert(square_of(truth.pose.position));
   last_ = truth;
   follow_course(truth);
@@ -100,6 +103,10 @@ void RobotMeasures::report(Measures& into) const {
   if (free_ground_ != nullptr) into.emplace_back("progress_ratio", progress_ratio_);
   into.emplace_back("dwell_s", dwell_.longest_s());
   into.emplace_back("explored_m2", static_cast<double>(visited_.size()) * kSquare_m * kSquare_m);
+  if (slopes_) {
+    into.emplace_back("stalled_s", stalled_s_);
+    into.emplace_back("tipped_s", tipped_s_);
+  }
   for (const Share& share : shares_) {
     into.emplace_back(share.name, ticks_ > 0 ? share.ticks / static_cast<double>(ticks_) : 0);
   }

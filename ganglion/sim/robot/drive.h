@@ -16,7 +16,7 @@ struct Movement {
   double turn_rad = 0;     ///< Counter-clockwise.
   double left_m = 0;       ///< Way of the wheels' rims.
   double right_m = 0;
-  double effort = 0;  ///< Share of full power taken, in [0, 1].
+  double effort = 0;  ///< Share of full power taken, in [0, 1]; up to twice that uphill (FloorRide).
   double path_m = 0;  ///< Length of the centre's path; a curve is longer than its displacement.
 };
 
