@@ -71,8 +71,9 @@ void RobotMeasures::update(double time_s, double step_s, const sim::Truth& truth
   } else {
     dwell_.add(time_s, truth.pose.position);
   }
-  if (truth.stalled) stalled_s_ += step_s;
-  if (truth.tipped) tipped_s_ += step_s;
+  step_s_ = step_s;
+  if (truth.stalled) ++stalled_ticks_;
+  if (truth.tipped) ++tipped_ticks_;
   visited_.insert(square_of(truth.pose.position));
   last_ = truth;
   follow_course(truth);
@@ -104,8 +105,8 @@ void RobotMeasures::report(Measures& into) const {
   into.emplace_back("dwell_s", dwell_.longest_s());
   into.emplace_back("explored_m2", static_cast<double>(visited_.size()) * kSquare_m * kSquare_m);
   if (slopes_) {
-    into.emplace_back("stalled_s", stalled_s_);
-    into.emplace_back("tipped_s", tipped_s_);
+    into.emplace_back("stalled_s", stalled_ticks_ * step_s_);
+    into.emplace_back("tipped_s", tipped_ticks_ * step_s_);
   }
   for (const Share& share : shares_) {
     into.emplace_back(share.name, ticks_ > 0 ? share.ticks / static_cast<double>(ticks_) : 0);

@@ -65,8 +65,9 @@ class RobotMeasures {
   double progress_ratio_ = 1;
   bool at_far_wall_ = false;
   bool slopes_ = false;
-  double stalled_s_ = 0;
-  double tipped_s_ = 0;
+  double step_s_ = 0;
+  double stalled_ticks_ = 0;
+  double tipped_ticks_ = 0;
   Dwell dwell_{0.5, 1};
   std::unordered_set<std::uint64_t> visited_;  ///< Only counted, never walked through.
 };
