@@ -44,6 +44,11 @@ class Drive {
   virtual double steady_mps() const noexcept { return std::numeric_limits<double>::infinity(); }
   /// Whether another robot can push it away; one that goes by places keeps to them.
   virtual bool yields() const noexcept { return true; }
+  /// What move() would give; asked only of drives with a steady_mps().
+  virtual Movement foreseen(const Pose2& pose, double step_s) const noexcept {
+    static_cast<void>(pose), static_cast<void>(step_s);
+    return {};
+  }
   /// What the last sub-step ran into.
   virtual void feel(bool touched) noexcept { static_cast<void>(touched); }
 };

@@ -78,10 +78,22 @@ Hit cast_own(const Scene& scene, Vector2 ray, double reach_m) noexcept;
 inline Hit first_hit(const Scene& scene, Vector2 ray, std::size_t n, double reach_m) noexcept {
   return scene.rays.empty() ? cast_own(scene, ray, reach_m) : scene.rays.hit(n);
 }
-/// Only how far it goes.
+/// Only how far it goes; more than reach_m where it meets nothing.
 inline double first_range_m(const Scene& scene, Vector2 ray, std::size_t n, double reach_m) noexcept {
   return scene.rays.empty() ? cast_own(scene, ray, reach_m).range_m : scene.rays.range_m(n);
 }
+
+/// The reading of an ideal ranger: how far its only ray goes.
+struct Ranging {
+  double min_m = 0;  ///< What is nearer is too close: -inf.
+  double max_m = 0;  ///< What is farther is not seen: +inf.
+
+  double reading_m(double range_m) const noexcept {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    const double seen_m = range_m <= max_m ? range_m : kInfinity;
+    return range_m < min_m ? -kInfinity : seen_m;
+  }
+};
 
 struct Limits {
   double min = -std::numeric_limits<double>::infinity();
@@ -106,6 +118,8 @@ class Sensor {
   virtual std::span<const Vector2> rays() const noexcept { return {}; }
   /// How far it sees; 0 = not at all. Rays that it casts itself, ways there included, end no farther off either.
   virtual double reach_m() const noexcept { return 0; }
+  /// If all it does is to give the range of its only ray: those of a robot are read together, measure() is not called.
+  virtual std::optional<Ranging> ranging() const noexcept { return std::nullopt; }
   /// Cosine of half the cone of what it sends when it fires; none if it only listens.
   virtual std::optional<double> ping_cos_half_cone() const noexcept { return std::nullopt; }
   /// An episode begins. Fails where the scene makes no sense to it.

@@ -32,8 +32,9 @@ double WheelPair::wanted_mps(const Side& side, double gain) const noexcept {
 double WheelPair::steady_mps() const noexcept {
   const double left_mps = wanted_mps(left_, config_.left_gain), right_mps = wanted_mps(right_, config_.right_gain);
   const double missing_mps = std::fabs(left_mps - left_.speed_mps) + std::fabs(right_mps - right_.speed_mps);
-  if (config_.lag_s > 0 && missing_mps > kSettled_mps) return std::numeric_limits<double>::infinity();
-  return std::fabs(left_mps + right_mps) / 2 + kSettled_mps;
+  const double mean_mps = std::fabs(left_mps + right_mps) / 2;
+  if (config_.lag_s <= 0 || missing_mps <= 0) return mean_mps;
+  return missing_mps > kSettled_mps ? std::numeric_limits<double>::infinity() : mean_mps + kSettled_mps;
 }
 
 double WheelPair::roll(Side& side, double gain, double step_s) noexcept {

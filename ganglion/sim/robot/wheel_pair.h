@@ -24,6 +24,8 @@ class WheelPair {
   /// See Drive::supply(): speeds fall with the voltage.
   void supply(double share) noexcept { supply_ = share; }
   Movement move(const Pose2& pose, double step_s) noexcept;
+  /// See Drive::foreseen().
+  Movement foreseen(const Pose2& pose, double step_s) const noexcept { return WheelPair(*this).move(pose, step_s); }
   /// See Drive::steady_mps(): once the motors have followed their duties.
   double steady_mps() const noexcept;
 

@@ -36,6 +36,7 @@ void Body::reset(const Pose2& pose, const StreamId& chance) noexcept {
   truth_.pose = truth_.start = {pose.position, pose.yaw.wrapped()};
   ahead_ = direction(truth_.pose.yaw.rad());
   contacts_.clear();
+  leaning_ = false;
   room_m_ = 0;
   drive_->reset();
   ride_.reset(chance);
@@ -68,11 +69,28 @@ double Body::steady_way_m(double step_s) const noexcept {
   return drive_->steady_mps() * step_s;
 }
 
-bool Body::off_ground(const Ground& ground, double way_m) noexcept {
+Body::Way Body::way(double way_m, double step_s) const noexcept {
+  const Movement movement = drive_->foreseen(truth_.pose, step_s);
+  const double turn_rad = std::fabs(movement.turn_rad);
+  return {movement.displacement, turn_rad < kPi / 2 ? way_m * turn_rad / 4 : way_m};
+}
+
+bool Body::off_ground(const Ground& ground, double way_m, double step_s) noexcept {
   if (room_m_ > way_m + kClear_m) return true;
-  const double up_to_m = model_->radius_m + way_m + kLookAhead_m;
-  room_m_ = std::isfinite(way_m) ? ground.clearance(truth_.pose.position, up_to_m) - model_->radius_m : 0;
-  return room_m_ > way_m + kClear_m;
+  if (!std::isfinite(way_m)) return false;
+  const Vector2 here = truth_.pose.position;
+  room_m_ = ground.clearance(here, model_->radius_m + way_m + kLookAhead_m) - model_->radius_m;
+  if (room_m_ > way_m + kClear_m) return true;
+  const Way way = this->way(way_m, step_s);
+  Contact first;
+  ground.sweep(here, way.chord, model_->radius_m + way.bulge_m + kClear_m, first);
+  return !first.happened();
+}
+
+double Body::nearest_m(Vector2 point, double way_m, double step_s) const noexcept {
+  const Way way = this->way(way_m, step_s);
+  const Vector2 here = truth_.pose.position;
+  return (point - nearest_on_segment(point, here, here + way.chord)).length() - way.bulge_m;
 }
 
 void Body::advance_freely(double step_s) noexcept {
@@ -97,10 +115,17 @@ void Body::intend(const Floor& floor, double elapsed_s, double step_s) noexcept 
   if (!floor.plain()) intent_ = ride_.over(floor, intent_, truth_);
 }
 
+void Body::stand_alone() noexcept {
+  if (leaning_) truth_.touching = leaning_ = false;
+}
+
 void Body::settle(const Floor& floor, Vector2 to, bool pressed, double step_s) noexcept {
   const bool wants = intent_.displacement.squared() > 0;
   if (!floor.bumps.empty()) intent_.turn_rad += ride_.jolt_rad(floor, truth_.pose.position, to);
-  if (wants || pressed || !(to == truth_.pose.position)) truth_.touching = pressed;  // at rest nothing changes
+  if (wants || pressed || !(to == truth_.pose.position)) {  // at rest nothing changes
+    truth_.touching = pressed;
+    leaning_ = false;
+  }
   truth_.touched = truth_.touched || truth_.touching;
   go(intent_, to, (to - truth_.pose.position).length(), step_s);
   drive_->feel(wants && pressed);

@@ -75,5 +75,29 @@ TEST(Contact, IsTheSameWhetherStepsAreCutOrNot) {
   }
 }
 
+TEST(Contact, IsTheSameInACrowdWhetherStepsAreCutOrNot) {
+  // Robots that pass each other closely, turn on the spot beside others, push them and follow the walls.
+  const std::string watched = "[[sensor]]\nid = \"needle\"\nkind = \"Compass\"\nlag_s = 1\n";
+  std::vector<Pose2> places;
+  for (int i = 0; i < 36; ++i)
+    places.push_back({{8.3 + 0.3 * (i % 6), 8.3 + 0.3 * (i / 6)}, Angle::from_deg(40.0 * i)});
+  Trial whole(kRoom, kFast, SpawnPoses{places}, 36), cut(kRoom, kFast + watched, SpawnPoses{places}, 36);
+  int contacts = 0;
+  for (int n = 0; n < 8; ++n) {
+    for (Trial* run : {&whole, &cut}) {
+      for (int i = 0; i < 36; ++i) {
+        const double left = i % 3 == 0 ? -0.5 : 0.3 + 0.02 * i, right = i % 3 == 0 ? 0.5 : 0.8 - 0.01 * i;
+        run->acts[static_cast<std::size_t>(i)].values = {left, right};
+      }
+      run->simulation->step(run->acts, 0.1);
+    }
+    for (int i = 0; i < 36; ++i) {
+      EXPECT_NEAR((whole.truth(i).pose.position - cut.truth(i).pose.position).length(), 0, 1e-6) << n << " " << i;
+      contacts += whole.truth(i).contacts;
+    }
+  }
+  EXPECT_GT(contacts, 100);
+}
+
 }  // namespace
 }  // namespace ganglion::sim

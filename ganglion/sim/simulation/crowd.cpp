@@ -137,10 +137,10 @@ void Crowd::push(const World& world, Neighbours& all) noexcept {
 void Crowd::list_presses() noexcept {
   for (const Meeting& meeting : meetings_) {
     if (!meeting.active || (yields_ && !(meeting.push_m > 0))) continue;
-    presses_.push_back({meeting.robot, meeting.normal, meeting.closing_m});
+    presses_.push_back({meeting.robot, meeting.wall, meeting.normal, meeting.closing_m});
     pressed_[meeting.robot] = 1;
     if (meeting.wall) continue;
-    presses_.push_back({meeting.other, -meeting.normal, meeting.closing_m});
+    presses_.push_back({meeting.other, false, -meeting.normal, meeting.closing_m});
     pressed_[meeting.other] = 1;
   }
 }

@@ -36,6 +36,7 @@ class Crowd {
   /// A body pressed against a wall or another body.
   struct Press {
     std::uint32_t robot = 0;
+    bool wall = false;     ///< Or a mover; else another robot.
     Vector2 normal{};      ///< Away from what it touches.
     double closing_m = 0;  ///< By how much the two would have come closer in the sub-step, along the normal.
   };

@@ -45,7 +45,12 @@ class Device {
   bool due(double begin_s, double now_s, double end_s) const noexcept;
   /// Whether it would have anything to do in the sub-steps of [begin_s, last_s), of the step that ends at end_s.
   bool wants_before(double begin_s, double last_s, double end_s) const noexcept;
-  /// How many values it has in a frame.
+  /// See Sensor::ranging(); none where a fault may spoil the reading.
+  std::optional<Ranging> ranging() const noexcept {
+    return model_->fault == Fault::None ? sensor().ranging() : std::nullopt;
+  }
+  /// Its first value among those of a robot, and how many they are.
+  std::size_t offset() const noexcept { return offset_; }
   std::size_t size() const noexcept { return size_; }
   std::size_t channels() const noexcept { return model_->kind->descriptor.ports.size(); }
 

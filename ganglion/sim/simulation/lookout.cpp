@@ -8,6 +8,8 @@ namespace {
 
 constexpr std::size_t kFewRays = 2;  // of one device: they share a group with those of other devices
 
+constexpr double kTouch = 4;  // radii: within one step two robots come from so far off to touch, as a rule
+
 /// So many rays of one device are a group, for which surfaces to the side are left out.
 constexpr std::size_t kGroup = kLanePadding;
 
@@ -28,9 +30,10 @@ Lookout::Lookout(const World& world, Neighbours& neighbours, std::size_t robots,
   lay_out(devices, false);
   group_called_.resize(fan_.groups());
   calls_.reserve(devices.size());
+  rays_.reserve(devices.size());
   pings_.reserve(devices.size());
   far_m_ = reach_m_ + 2 * radius_m_;
-  neighbours.make_room(robots, far_m_);
+  neighbours.make_room(robots, kTouch * radius_m_, std::max(far_m_, kTouch * radius_m_));
   others_.reserve(robots);
   if (reach_m_ > 0) sight_ = std::make_unique<Sight>(world.shared_ground(), reach_m_, spread_m, robots);
 }
@@ -61,15 +64,27 @@ std::span<const Lookout::Call> Lookout::call(std::span<const Device> devices, do
                                              double end_s) noexcept {
   forget_calls();
   for (std::size_t n = 0; n < devices.size(); ++n) {
-    const bool fires = devices[n].due(begin_s, now_s, end_s);
-    const bool follows = devices[n].sensor().follows();
-    if (fires || follows) calls_.push_back({n, fires, follows, fires && devices[n].sensor().draws_normal()});
-    if (fires) ping(devices[n], n);
-    if (!fires || posts_[n].rays == 0) continue;
-    cast_[n] = CastRays(*sight_, fan_, posts_[n].place);
-    for (std::size_t g = posts_[n].first_group; g < posts_[n].end_group; ++g) group_called_[g] = true;
+    const Device& device = devices[n];
+    const bool fires = device.due(begin_s, now_s, end_s);
+    if (fires && posts_[n].rays > 0) {
+      cast_[n] = CastRays(*sight_, fan_, posts_[n].place);
+      for (std::size_t g = posts_[n].first_group; g < posts_[n].end_group; ++g) group_called_[g] = true;
+    }
+    if (const auto ranging = device.ranging(); fires && ranging) {
+      rays_.push_back({n, posts_[n].place, device.offset(), *ranging});
+      continue;
+    }
+    const bool follows = device.sensor().follows();
+    if (fires || follows) calls_.push_back({n, fires, follows, fires && device.sensor().draws_normal()});
+    if (fires) ping(device, n);
   }
   return calls_;
+}
+
+void Lookout::read_rays(std::span<double> values) const noexcept {
+  const double* range_m = fan_.ranges_m().data();
+  double* value = values.data();
+  for (const Ray& ray : std::span(rays_)) value[ray.value] = ray.ranging.reading_m(range_m[ray.place]);
 }
 
 void Lookout::call_first(std::span<const Device> devices) noexcept {
@@ -85,6 +100,7 @@ void Lookout::ping(const Device& device, std::size_t n) noexcept {
 
 void Lookout::forget_calls() noexcept {
   calls_.clear();
+  rays_.clear();
   pings_.clear();
   std::fill(cast_.begin(), cast_.end(), CastRays());
   std::fill(group_called_.begin(), group_called_.end(), false);
@@ -114,9 +130,11 @@ void Lookout::gather() noexcept {
   const auto near = neighbours_->within(here, far_m_, robot_);
   if (others_.size() < near.size()) others_.resize(near.size());  // within what is reserved
   double nearest = far_m_ * far_m_;
-  for (std::size_t n = 0; n < near.size(); ++n) {
-    others_[n] = neighbours_->discs()[near[n]];
-    nearest = std::min(nearest, (others_[n].position - here).squared());
+  const Disc* discs = neighbours_->discs().data();
+  Disc* other = others_.data();
+  for (const std::uint32_t robot : near) {
+    *other = discs[robot];
+    nearest = std::min(nearest, (other++->position - here).squared());
   }
   scene_->others = std::span(others_).first(near.size());
   sight_->look(*world_, here, scene_->others);

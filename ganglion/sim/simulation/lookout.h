@@ -28,14 +28,25 @@ class Lookout {
     bool follows = false;
     bool draws_normal = false;  ///< First, when it fires.
   };
+  /// An ideal ranger that fires: its ray is read beside others.
+  struct Ray {
+    std::size_t device = 0;
+    std::size_t place = 0;  ///< In the fan.
+    std::size_t value = 0;  ///< Among the robot's.
+    Ranging ranging{};
+  };
   /// Finds out which devices have to do in the sub-step from begin_s to now_s, of a step that ends at end_s; it is the
-  /// same for all robots.
+  /// same for all robots. Ideal rangers are not among them: see rays().
   std::span<const Call> call(std::span<const Device> devices, double begin_s, double now_s, double end_s) noexcept;
   /// An episode begins: nobody's rays are cast beforehand, though all get their scenes and those that fire at once
   /// ping.
   void call_first(std::span<const Device> devices) noexcept;
   /// Turns to a robot and casts the rays of its devices that fire.
   void begin(std::size_t robot, const Body& body, std::uint32_t tick, double time_s) noexcept;
+  /// The ideal rangers that fire, as call() found them.
+  std::span<const Ray> rays() const noexcept { return rays_; }
+  /// Their readings, put in their places among the robot's values.
+  void read_rays(std::span<double> values) const noexcept;
   /// No other robot's centre is nearer to that of this one; 0 where nobody looked.
   double alone_m() const noexcept { return gathered_ ? alone_m_ : 0; }
   /// The scene of that robot's n-th device; valid until the next call.
@@ -70,6 +81,7 @@ class Lookout {
   RayFan fan_;
   std::vector<Post> posts_;
   std::vector<Call> calls_;
+  std::vector<Ray> rays_;
   std::vector<CastRays> cast_;  // by device: its rays, if they are
   std::vector<char> group_called_;
   std::vector<Ping> pings_;

@@ -27,21 +27,27 @@ void put_in_order(std::vector<std::uint32_t>& numbers) noexcept {
 
 }  // namespace
 
-void Neighbours::make_room(std::size_t robots, double range_m) {
+void Neighbours::make_room(std::size_t robots, double touch_m, double sight_m) {
   discs_.resize(robots);
   sorted_at_.resize(robots);
   cell_.resize(robots);
   order_.resize(robots);
   found_.reserve(robots);
-  list_start_.resize(robots + 1);
-  list_.resize(kListedPerRobot * robots);
-  listed_m_ = range_m + 2 * kSkin_m;
+  touching_.reach_m = touch_m + 2 * kSkin_m;
+  seen_.reach_m = sight_m + 2 * kSkin_m;
+  for (Lists* lists : {&touching_, &seen_}) {
+    lists->start.resize(robots + 1);
+    lists->all.resize(kListedPerRobot * robots);
+  }
   start_.resize(kCellsPerDisc * robots + 2);
 }
 
 void Neighbours::put(std::size_t robot, const Disc& disc) noexcept {
   discs_[robot] = disc;
-  moved_m_ = std::max(moved_m_, (disc.position - sorted_at_[robot]).length());
+  const double squared_m2 = (disc.position - sorted_at_[robot]).squared();
+  if (squared_m2 <= moved_squared_m2_) return;
+  moved_squared_m2_ = squared_m2;
+  moved_m_ = std::sqrt(squared_m2);
 }
 
 void Neighbours::lay_out() noexcept {
@@ -60,11 +66,11 @@ void Neighbours::lay_out() noexcept {
 void Neighbours::sort_if_needed() noexcept {
   const double next_m = moved_m_ + (moved_m_ - moved_before_m_);
   moved_before_m_ = moved_m_;
-  if (!listed_ || !(next_m <= kSkin_m)) sort();
+  if (!seen_.made || !(next_m <= kSkin_m)) sort();
 }
 
 void Neighbours::sort() noexcept {
-  moved_m_ = moved_before_m_ = 0;
+  moved_m_ = moved_squared_m2_ = moved_before_m_ = 0;
   if (discs_.size() < 2) return;
   lay_out();
   const std::size_t cells = static_cast<std::size_t>(columns_) * rows_;
@@ -80,31 +86,44 @@ void Neighbours::sort() noexcept {
 }
 
 void Neighbours::make_lists() noexcept {
-  listed_ = false;
-  std::uint32_t end = 0;
+  touching_.made = seen_.made = false;
+  std::uint32_t touch = 0, see = 0;
   for (std::size_t i = 0; i < discs_.size(); ++i) {
-    const auto near = in_cells(sorted_at_[i], listed_m_, i);
-    if (near.size() > list_.size() - end) return;
-    list_start_[i] = end;
-    std::copy(near.begin(), near.end(), list_.begin() + end);
-    end += static_cast<std::uint32_t>(near.size());
+    const auto near = in_cells(sorted_at_[i], seen_.reach_m, i);
+    if (near.size() > seen_.all.size() - see) return;
+    touching_.start[i] = touch;
+    seen_.start[i] = see;
+    for (const std::uint32_t other : near) {
+      seen_.all[see++] = touching_.all[touch] = other;
+      touch += (discs_[other].position - discs_[i].position).squared() <= touching_.reach_m * touching_.reach_m ? 1 : 0;
+    }
   }
-  list_start_.back() = end;
-  listed_ = true;
+  touching_.start.back() = touch;
+  seen_.start.back() = see;
+  touching_.made = seen_.made = true;
 }
 
-bool Neighbours::lists_tell(Vector2 place, double range_m, std::size_t robot) const noexcept {
-  return listed_ && range_m + moved_m_ + (place - sorted_at_[robot]).length() + kRounding_m <= listed_m_;
+bool Neighbours::tell(const Lists& lists, Vector2 place, double range_m, std::size_t robot) const noexcept {
+  const double slack_m = lists.reach_m - range_m - moved_m_ - kRounding_m;
+  return lists.made && slack_m >= 0 && (place - sorted_at_[robot]).squared() <= slack_m * slack_m;
 }
 
 std::span<const std::uint32_t> Neighbours::within(Vector2 place, double range_m, std::size_t robot) noexcept {
-  if (!lists_tell(place, range_m, robot)) return in_cells(place, range_m, robot);
-  const std::size_t listed = list_start_[robot + 1] - list_start_[robot];
-  if (found_.size() < listed) found_.resize(listed);  // within what is reserved; never smaller, so that this is rare
+  if (tell(touching_, place, range_m, robot)) return listed(touching_, place, range_m, robot);
+  if (tell(seen_, place, range_m, robot)) return listed(seen_, place, range_m, robot);
+  return in_cells(place, range_m, robot);
+}
+
+std::span<const std::uint32_t> Neighbours::listed(const Lists& lists, Vector2 place, double range_m,
+                                                  std::size_t robot) noexcept {
+  const std::span list(&lists.all[lists.start[robot]], lists.start[robot + 1] - lists.start[robot]);
+  if (found_.size() < list.size()) found_.resize(list.size());  // within what is reserved; never smaller: it is rare
+  const Disc* discs = discs_.data();
+  std::uint32_t* found = found_.data();
   std::size_t count = 0;
-  for (std::uint32_t n = list_start_[robot]; n < list_start_[robot + 1]; ++n) {
-    found_[count] = list_[n];
-    count += (discs_[list_[n]].position - place).squared() <= range_m * range_m ? 1 : 0;
+  for (const std::uint32_t other : list) {
+    found[count] = other;
+    count += (discs[other].position - place).squared() <= range_m * range_m ? 1 : 0;
   }
   return std::span(found_).first(count);
 }

@@ -9,12 +9,12 @@
 namespace ganglion::sim {
 
 /// Where the robots are, and who is near whom without asking all of them: a counting sort into square cells, row by
-/// row, and for each robot a list of who is near or may come near while nobody goes farther than a little way (Verlet's
-/// lists). What it finds depends on neither.
+/// row, and for each robot lists of who is near or may come near while nobody goes farther than a little way (Verlet's
+/// lists): a short one of those it may touch, a long one of those it may see. What it finds depends on neither.
 class Neighbours {
  public:
-  /// Takes the memory for so many robots, who mostly ask for what is within range_m.
-  void make_room(std::size_t robots, double range_m);
+  /// Takes the memory for so many robots, who mostly ask for what is within touch_m or within sight_m, the larger.
+  void make_room(std::size_t robots, double touch_m, double sight_m);
   void put(std::size_t robot, const Disc& disc) noexcept;
   std::span<const Disc> discs() const noexcept { return discs_; }
   /// Sorts them as they stand. Needed now and then only: the farther they moved since, the more cells are looked into.
@@ -32,13 +32,22 @@ class Neighbours {
     return index >= count ? count - 1 : (index > 0 ? static_cast<int>(index) : 0);  // NaN gives 0
   }
   void lay_out() noexcept;
+  /// For each robot who was within reach_m when they were sorted.
+  struct Lists {
+    double reach_m = 0;
+    bool made = false;                 // there was room for them
+    std::vector<std::uint32_t> start;  // of robot n in all, and the end of the last
+    std::vector<std::uint32_t> all;
+  };
   void make_lists() noexcept;
-  bool lists_tell(Vector2 place, double range_m, std::size_t robot) const noexcept;
+  bool tell(const Lists& lists, Vector2 place, double range_m, std::size_t robot) const noexcept;
+  std::span<const std::uint32_t> listed(const Lists& lists, Vector2 place, double range_m, std::size_t robot) noexcept;
   std::span<const std::uint32_t> in_cells(Vector2 place, double range_m, std::size_t robot) noexcept;
 
   std::vector<Disc> discs_;
   std::vector<Vector2> sorted_at_;  // where each was when it was sorted
   double moved_m_ = 0;              // the farthest that any has moved since
+  double moved_squared_m2_ = 0;
   Vector2 lower_;
   double per_m_ = 1;  // cells a metre
   int columns_ = 1;
@@ -47,11 +56,8 @@ class Neighbours {
   std::vector<std::uint32_t> start_;  // of cell n in order_ at n + 1
   std::vector<std::uint32_t> order_;  // robots, cell by cell
   std::vector<std::uint32_t> found_;
-  double listed_m_ = 0;                    // how near the others in the lists were
-  double moved_before_m_ = 0;              // moved_m_ when last asked whether to sort
-  bool listed_ = false;                    // whether there is room for the lists
-  std::vector<std::uint32_t> list_start_;  // of robot n in list_, and the end of the last
-  std::vector<std::uint32_t> list_;
+  double moved_before_m_ = 0;  // moved_m_ when last asked whether to sort
+  Lists touching_, seen_;
 };
 
 }  // namespace ganglion::sim

@@ -22,7 +22,7 @@ TEST(Neighbours, AreThoseThatAScanOfAllFinds) {
   for (const auto& [robots, side_m] :
        {std::pair(1, 5.0), std::pair(2, 1000.0), std::pair(50, 0.0), std::pair(300, 30.0)}) {
     Neighbours neighbours;
-    neighbours.make_room(static_cast<std::size_t>(robots), 3.3);
+    neighbours.make_room(static_cast<std::size_t>(robots), 0.4, 3.3);
     auto somewhere = [&, side_m = side_m] {
       const double x = draws.uniform(-side_m, side_m);
       return Vector2{x, draws.uniform(0, side_m)};

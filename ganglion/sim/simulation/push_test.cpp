@@ -58,6 +58,21 @@ TEST(Push, IsFeltByBothAndCountedOnce) {
   EXPECT_EQ(run.value("w.left", 1), 0);          // slides with its wheels held
 }
 
+TEST(Push, IsNoLongerFeltOnceTheOtherHasGone) {
+  // A needle that lags has every step cut into sub-steps; without it steps are gone at once where that can be.
+  for (const char* needle : {"", "[[sensor]]\nid = \"needle\"\nkind = \"Compass\"\nlag_s = 1\n"}) {
+    Trial run = trial({pose(2, 5), pose(2.5, 5)}, kFast + needle);
+    drive(run, {1, 0}, 5);
+    EXPECT_TRUE(run.truth(1).touching);
+    drive(run, {0, 0}, 2);  // both stand, side by side
+    EXPECT_TRUE(run.truth(0).touching);
+    EXPECT_TRUE(run.truth(1).touching);
+    drive(run, {-1, 0}, 3);
+    EXPECT_FALSE(run.truth(0).touching);
+    EXPECT_FALSE(run.truth(1).touching);
+  }
+}
+
 TEST(Push, GivesARobotThatIsOvertakenTheMeanOfBothSpeeds) {
   Trial run = trial({pose(2, 5), pose(2.5, 5)});
   drive(run, {1, 0.4}, 10);

@@ -6,6 +6,11 @@
 #include "ganglion/base/hash.h"
 
 namespace ganglion::sim {
+namespace {
+
+constexpr double kClear_m = 1e-6;  // left over between robots that meet nothing
+
+}  // namespace
 
 Simulation::Simulation(SimulationConfig config, Spawner spawner)
     : config_(std::move(config)), spawner_(std::move(spawner)), world_(config_.ground) {}
@@ -54,6 +59,7 @@ void Simulation::prepare() {
   values_.resize(stride_ * bodies_.size());
   ages_s_.resize(config_.model->description.sensations.size());
   way_m_.resize(bodies_.size());
+  is_busy_.resize(bodies_.size());
   alone_m_.resize(bodies_.size());
   busy_.reserve(bodies_.size());
   wanted_.resize(bodies_.size());
@@ -145,6 +151,38 @@ bool Simulation::devices_wait(double last_s, double end_s) const noexcept {
   return true;
 }
 
+bool Simulation::goes_freely(std::size_t robot, double longest_m, double step_s) noexcept {
+  const double way_m = way_m_[robot], radius_m = config_.model->radius_m;
+  if (way_m == 0) return true;  // it turns on the spot, or stands: it is the others who run into it
+  // Who goes farther than its own radius is never sure: then the others need not look far for it.
+  if (way_m > radius_m || !bodies_[robot].off_ground(world_.ground(), way_m, step_s)) return false;
+  const Vector2 here = bodies_[robot].truth().pose.position;
+  const double look_m = 2 * radius_m + way_m + longest_m;
+  if (alone_m_[robot] > look_m) return true;
+  for (const std::uint32_t other : neighbours_.within(here, look_m, robot)) {
+    const Vector2 there = bodies_[other].truth().pose.position;
+    const double apart_m = 2 * radius_m + std::min(way_m_[other], radius_m);
+    if ((there - here).length() > apart_m + way_m) continue;
+    if (!(bodies_[robot].nearest_m(there, way_m, step_s) > apart_m + kClear_m)) return false;
+  }
+  return true;
+}
+
+void Simulation::wake_standing_robots(double longest_m) noexcept {
+  std::fill(is_busy_.begin(), is_busy_.end(), 0);
+  for (const std::size_t i : busy_) is_busy_[i] = 1;
+  const std::size_t moving = busy_.size();
+  const double reach_m = 2 * config_.model->radius_m + longest_m + kClear_m;
+  for (std::size_t n = 0; n < busy_.size(); ++n) {
+    for (const std::uint32_t other : neighbours_.within(bodies_[busy_[n]].truth().pose.position, reach_m, busy_[n])) {
+      if (is_busy_[other] != 0 || way_m_[other] > 0) continue;
+      is_busy_[other] = 1;
+      busy_.push_back(other);
+    }
+  }
+  if (busy_.size() > moving) std::sort(busy_.begin(), busy_.end());
+}
+
 void Simulation::move_free_robots(double step_s) noexcept {
   double longest_m = 0;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -153,13 +191,9 @@ void Simulation::move_free_robots(double step_s) noexcept {
   }
   busy_.clear();
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    Body& body = bodies_[i];
-    const double apart_m = 2 * config_.model->radius_m + way_m_[i] + longest_m;
-    // Who goes farther than its own radius is never sure: then the others need not look far for it.
-    const bool free = way_m_[i] <= config_.model->radius_m && body.off_ground(world_.ground(), way_m_[i]) &&
-                      (alone_m_[i] > apart_m || neighbours_.within(body.truth().pose.position, apart_m, i).empty());
-    if (!free) busy_.push_back(i);
+    if (!goes_freely(i, longest_m, step_s)) busy_.push_back(i);
   }
+  if (bodies_.front().yields()) wake_standing_robots(longest_m);
   std::size_t busy = 0;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (busy < busy_.size() && busy_[busy] == i) {
@@ -168,13 +202,21 @@ void Simulation::move_free_robots(double step_s) noexcept {
     }
     bodies_[i].advance_freely(step_s);
     neighbours_.put(i, bodies_[i].disc());
+    part(i);
   }
+}
+
+void Simulation::part(std::size_t robot) noexcept {
+  Body& body = bodies_[robot];
+  if (!body.leaning()) return;
+  const double touch_m = 2 * config_.model->radius_m + kClear_m;
+  if (neighbours_.within(body.truth().pose.position, touch_m, robot).empty()) body.stand_alone();
 }
 
 void Simulation::move_busy_robots(double elapsed_s, double step_s) noexcept {
   for (const std::size_t i : busy_) {
     bodies_[i].intend(world_.ground().plan().floor, elapsed_s, step_s);
-    wanted_[i] = bodies_[i].way();
+    wanted_[i] = bodies_[i].wanted();
   }
   crowd_->gather(neighbours_, busy_, wanted_);
   for (const std::size_t i : busy_) {
@@ -190,6 +232,7 @@ void Simulation::move_alone(std::size_t robot, double time_s, double step_s) noe
   body.settle(world_.ground().plan().floor, slide.position, slide.touched, step_s);
   if (slide.touched) body.note_contact(slide.normal, -wanted_[robot].dot(slide.normal) / step_s, time_s);
   neighbours_.put(robot, body.disc());
+  part(robot);
 }
 
 void Simulation::move_crowd(double time_s, double step_s) noexcept {
@@ -199,20 +242,23 @@ void Simulation::move_crowd(double time_s, double step_s) noexcept {
     bodies_[i].settle(floor, neighbours_.discs()[i].position, crowd_->pressed(i), step_s);
   for (const Crowd::Press& press : crowd_->presses()) {
     Body& body = bodies_[press.robot];
-    if (!crowd_->has(press.robot)) body.bumped();
+    if (!press.wall) body.lean();
     body.note_contact(press.normal, press.closing_m / step_s, time_s);
   }
+  for (const std::size_t i : crowd_->members()) part(i);
 }
 
 void Simulation::run_devices(double begin_s, double now_s, double end_s) noexcept {
   std::fill(alone_m_.begin(), alone_m_.end(), 0);
   const auto calls = lookout_->call(devices_, begin_s, now_s, end_s);
-  if (calls.empty()) return;
+  if (calls.empty() && lookout_->rays().empty()) return;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     lookout_->begin(i, bodies_[i], tick_ + 1, now_s);
     alone_m_[i] = lookout_->alone_m();
-    run_devices(i, calls, now_s - begin_s);
+    lookout_->read_rays(values_of(i));
+    if (!calls.empty()) run_devices(i, calls, now_s - begin_s);
   }
+  for (const Lookout::Ray& ray : lookout_->rays()) devices_[ray.device].fired(now_s);
   for (const Lookout::Call& call : calls) {
     if (call.fires) devices_[call.device].fired(now_s);
   }

@@ -66,9 +66,16 @@ class Simulation final : public Application {
   bool devices_wait(double last_s, double end_s) const noexcept;
   /// Moves those that can meet nothing through the whole step; busy_ holds the others.
   void move_free_robots(double step_s) noexcept;
+  /// Whether that robot runs into nothing on its way through the whole step, whatever the others do; none of them goes
+  /// farther than longest_m.
+  bool goes_freely(std::size_t robot, double longest_m, double step_s) noexcept;
+  /// Robots that stand, or turn on the spot, go by sub-steps as well where others might push them, one through another.
+  void wake_standing_robots(double longest_m) noexcept;
   void move_busy_robots(double elapsed_s, double step_s) noexcept;
   /// Moves a robot that meets no other.
   void move_alone(std::size_t robot, double time_s, double step_s) noexcept;
+  /// Ends a standing robot's touch with one that has gone.
+  void part(std::size_t robot) noexcept;
   void move_crowd(double time_s, double step_s) noexcept;
   void run_devices(double begin_s, double now_s, double end_s) noexcept;
   void run_devices(std::size_t robot, std::span<const Lookout::Call> calls, double substep_s) noexcept;
@@ -85,7 +92,8 @@ class Simulation final : public Application {
   std::vector<double> values_;          // of all robots
   std::vector<double> ages_s_;          // of all channels, the same for all robots
   Neighbours neighbours_;
-  std::vector<double> way_m_;      // of each robot in this step
+  std::vector<double> way_m_;  // of each robot in this step
+  std::vector<char> is_busy_;
   std::vector<double> alone_m_;    // how near at least the others were to each after the last step; 0 = unknown
   std::vector<std::size_t> busy_;  // robots that go by sub-steps in this step
   std::vector<Vector2> wanted_;    // of each robot in this sub-step

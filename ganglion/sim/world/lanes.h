@@ -87,8 +87,8 @@ struct Lanes {
   /// One ray, whatever `count` says, against many surfaces side by side.
   void (*meet_segments_alone)(const RayColumns&, const SegmentColumns&) noexcept;
   void (*meet_circles_alone)(const RayColumns&, const CircleColumns&, Within) noexcept;
-  /// Puts down the places of the surfaces that rays of the wedge may meet; there must be room for all. Returns how
-  /// many.
+  /// Puts down the places of the surfaces that rays of the wedge may meet, and returns how many. There must be room for
+  /// all and three more.
   std::size_t (*choose_segments)(const Wedge&, const SegmentColumns&, std::uint32_t* chosen) noexcept;
   std::size_t (*choose_circles)(const Wedge&, const CircleColumns&, std::uint32_t* chosen) noexcept;
 };

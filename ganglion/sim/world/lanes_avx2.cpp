@@ -9,6 +9,10 @@ namespace {
 
 using Four = double __attribute__((vector_size(32)));
 Four root(Four values) noexcept { return _mm256_sqrt_pd(values); }
+template <class Mask>
+unsigned signs(Mask mask) noexcept {
+  return static_cast<unsigned>(_mm256_movemask_pd(reinterpret_cast<__m256d>(mask)));
+}
 
 }  // namespace
 }  // namespace ganglion::sim

@@ -1,8 +1,10 @@
 // The bodies of Lanes over a lane type V: double, or a vector of doubles (GCC's vector extensions, whose comparisons
 // and ?: work lane by lane). Included by one source file for each V, compiled for its processor: everything is in an
 // anonymous namespace, and nothing inline of other headers may be called, lest the linker take that processor's copy of
-// it for the whole program. Each file provides `V root(V)`.
+// it for the whole program. Each file
+// provides `V root(V)`, and `unsigned signs(mask)` with a bit for each lane in which a comparison of V came true.
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 #include "ganglion/sim/world/lanes.h"
@@ -215,19 +217,31 @@ struct Place {
   V right, left, behind;
 };
 
-/// Puts down the places at + k of the lanes that are not hidden.
-template <class Hidden>
-std::size_t put_down(const Hidden& hidden, std::size_t width, std::size_t at, std::size_t count, std::uint32_t* chosen,
-                     std::size_t found) noexcept {
-  long long lane[kLanePadding] = {};
-  if constexpr (sizeof(Hidden) > sizeof(int)) {
-    std::memcpy(lane, &hidden, sizeof(Hidden));
-  } else {
-    lane[0] = hidden;
+/// For each set of up to four lanes which they are, in rising order; what follows is of no use.
+struct LaneSet {
+  std::uint32_t lane[4];
+  std::size_t count;
+};
+constexpr std::array<LaneSet, 16> lane_sets() noexcept {
+  std::array<LaneSet, 16> sets{};
+  for (unsigned set = 0; set < 16; ++set) {
+    for (std::uint32_t lane = 0; lane < 4; ++lane) {
+      if ((set >> lane & 1u) != 0) sets[set].lane[sets[set].count++] = lane;
+    }
   }
-  for (std::size_t k = 0; k < width && at + k < count; ++k) {
-    chosen[found] = static_cast<std::uint32_t>(at + k);
-    found += lane[k] == 0 ? 1 : 0;
+  return sets;
+}
+constexpr std::array<LaneSet, 16> kLaneSets = lane_sets();
+
+/// Puts down the places at + k, all below count, of the lanes that are not hidden; writes up to three places more.
+template <class V, class Hidden>
+[[gnu::always_inline]] inline std::size_t put_down(const Hidden& hidden, std::size_t at, std::size_t count,
+                                                   std::uint32_t* chosen, std::size_t found) noexcept {
+  unsigned seen = ~signs(hidden) & ((1u << std::min(kWidth<V>, count - at)) - 1);
+  for (std::size_t k = 0; k < kWidth<V>; k += 4, seen >>= 4) {
+    const LaneSet& set = kLaneSets[seen & 15u];
+    for (std::size_t n = 0; n < 4; ++n) chosen[found + n] = static_cast<std::uint32_t>(at + k) + set.lane[n];
+    found += set.count;
   }
   return found;
 }
@@ -241,7 +255,7 @@ std::size_t choose_segments(const Wedge& wedge, const SegmentColumns& s, std::ui
     const Place<V> a(w, load<V>(s.from_x + n), load<V>(s.from_y + n)), b(w, load<V>(s.to_x + n), load<V>(s.to_y + n));
     const auto hidden = ((a.right > margin) & (b.right > margin)) | ((a.left > margin) & (b.left > margin)) |
                         ((a.behind > margin) & (b.behind > margin));
-    found = put_down(hidden, kWidth<V>, n, s.count, chosen, found);
+    found = put_down<V>(hidden, n, s.count, chosen, found);
   }
   return found;
 }
@@ -254,7 +268,7 @@ std::size_t choose_circles(const Wedge& wedge, const CircleColumns& c, std::uint
     const V reach = load<V>(c.radius + n) + kWedgeMargin_m;
     const Place<V> centre(w, load<V>(c.x + n), load<V>(c.y + n));
     const auto hidden = (centre.right > reach) | (centre.left > reach) | (centre.behind > 2 * reach);
-    found = put_down(hidden, kWidth<V>, n, c.count, chosen, found);
+    found = put_down<V>(hidden, n, c.count, chosen, found);
   }
   return found;
 }

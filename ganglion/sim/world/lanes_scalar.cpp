@@ -5,6 +5,7 @@ namespace ganglion::sim {
 namespace {
 
 double root(double value) noexcept { return __builtin_sqrt(value); }
+unsigned signs(bool mask) noexcept { return mask ? 1 : 0; }
 
 }  // namespace
 }  // namespace ganglion::sim

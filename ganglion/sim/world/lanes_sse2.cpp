@@ -9,6 +9,10 @@ namespace {
 
 using Two = double __attribute__((vector_size(16)));
 Two root(Two values) noexcept { return _mm_sqrt_pd(values); }
+template <class Mask>
+unsigned signs(Mask mask) noexcept {
+  return static_cast<unsigned>(_mm_movemask_pd(reinterpret_cast<__m128d>(mask)));
+}
 
 }  // namespace
 }  // namespace ganglion::sim

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "ganglion/sim/world/lanes.h"
@@ -18,8 +19,9 @@ class RayFan {
   std::size_t close_group(bool wedge);
 
   std::size_t groups() const noexcept { return groups_.size(); }
-  /// How far the ray at that place went, once its group was cast; +inf where it met nothing.
-  double range_m(std::size_t place) const noexcept { return name_[place] < 0 ? kNoHit : range_m_[place]; }
+  /// How far the ray at that place went, once its group was cast; more than its longest where it met nothing.
+  double range_m(std::size_t place) const noexcept { return range_m_[place]; }
+  std::span<const double> ranges_m() const noexcept { return range_m_; }
 
  private:
   friend class Sight;

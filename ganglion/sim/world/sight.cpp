@@ -60,25 +60,27 @@ void Sight::look(const World& world, Vector2 centre, std::span<const Disc> other
 
 void Sight::add_segments(std::span<const std::uint32_t> items) noexcept {
   const Segment* all = ground_->surfaces().set().segments.data();
+  double *a = segments_.a.data(), *b = segments_.b.data(), *c = segments_.c.data(), *d = segments_.d.data();
+  std::copy(items.begin(), items.end(), item_.begin() + static_cast<std::ptrdiff_t>(segments_.count));
+  std::size_t n = segments_.count;
   for (const std::uint32_t item : items) {
-    const std::size_t n = segments_.count++;
-    segments_.a[n] = all[item].from.x;
-    segments_.b[n] = all[item].from.y;
-    segments_.c[n] = all[item].to.x;
-    segments_.d[n] = all[item].to.y;
-    item_[n] = item;
+    const Segment& segment = all[item];
+    a[n] = segment.from.x;
+    b[n] = segment.from.y;
+    c[n] = segment.to.x;
+    d[n++] = segment.to.y;
   }
-  for (std::size_t n = segments_.count; n < padded(segments_.count); ++n) {
-    segments_.a[n] = segments_.b[n] = segments_.c[n] = segments_.d[n] = 0;
-  }
+  segments_.count = n;
+  for (; n < padded(segments_.count); ++n) a[n] = b[n] = c[n] = d[n] = 0;
 }
 
 void Sight::put_others(std::span<const Disc> others) noexcept {
+  double *x = others_.a.data(), *y = others_.b.data(), *radius = others_.c.data();
   others_.count = others.size();
   for (std::size_t n = 0; n < others.size(); ++n) {
-    others_.a[n] = others[n].position.x;
-    others_.b[n] = others[n].position.y;
-    others_.c[n] = others[n].radius_m;
+    x[n] = others[n].position.x;
+    y[n] = others[n].position.y;
+    radius[n] = others[n].radius_m;
   }
   for (std::size_t n = others.size(); n < padded(others.size()); ++n) others_.c[n] = kNaN;
 }

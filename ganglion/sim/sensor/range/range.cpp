@@ -1,11 +1,10 @@
 #include "ganglion/sim/sensor/range/range.h"
 
 #include <array>
+#include <cmath>
 
 namespace ganglion::sim {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 constexpr std::array kPorts = {
     PortDescriptor{.name = "range",
@@ -48,14 +47,9 @@ Result<std::unique_ptr<Sensor>> make(const Parameters& parameters) {
 
 void Range::measure(const Scene& scene, Draws& draws, std::span<double> values) noexcept {
   const double noise_m = config_.noise_m > 0 ? draws.normal() * config_.noise_m : 0;
-  const double range_m = first_range_m(scene, kAhead, 0, config_.max_range_m);
-  if (range_m == kInfinity) {
-    values[0] = kInfinity;
-  } else if (range_m < config_.min_range_m) {
-    values[0] = -kInfinity;
-  } else {
-    values[0] = std::clamp(range_m + noise_m, config_.min_range_m, config_.max_range_m);
-  }
+  const double reading_m = ideal().reading_m(first_range_m(scene, kAhead, 0, config_.max_range_m));
+  const bool seen = std::isfinite(reading_m);
+  values[0] = seen ? std::clamp(reading_m + noise_m, config_.min_range_m, config_.max_range_m) : reading_m;
 }
 
 extern constinit const SensorKind range_kind{.descriptor = {.component_class = ComponentClass::Sensor,

@@ -19,10 +19,14 @@ class Range final : public Sensor {
   Limits limits(std::size_t) const noexcept override { return {config_.min_range_m, config_.max_range_m}; }
   double reach_m() const noexcept override { return config_.max_range_m; }
   std::span<const Vector2> rays() const noexcept override { return {&kAhead, 1}; }
+  std::optional<Ranging> ranging() const noexcept override {
+    return config_.noise_m > 0 ? std::nullopt : std::optional(ideal());
+  }
   bool draws_normal() const noexcept override { return config_.noise_m > 0; }
   void measure(const Scene& scene, Draws& draws, std::span<double> values) noexcept override;
 
  private:
+  Ranging ideal() const noexcept { return {config_.min_range_m, config_.max_range_m}; }
   static constexpr Vector2 kAhead{1, 0};
   RangeConfig config_;
 };
