@@ -6,8 +6,8 @@
 #include "ganglion/application/application.h"
 #include "ganglion/sim/robot/robot_model.h"
 #include "ganglion/sim/simulation/contact_memory.h"
+#include "ganglion/sim/simulation/crowd.h"
 #include "ganglion/sim/simulation/floor_ride.h"
-#include "ganglion/sim/world/world.h"
 
 namespace ganglion::sim {
 
@@ -32,8 +32,8 @@ class Body {
   /// Takes from the drive what it wants to do in the sub-step [elapsed_s, elapsed_s + step_s) of that step. Where the
   /// time to live ends within it, what is wanted before and after is put together.
   void intend(const Floor& floor, double elapsed_s, double step_s) noexcept;
-  /// The way its centre would then go.
-  Vector2 wanted() const noexcept { return intent_.displacement; }
+  /// The way its centre would then go, and the room that is known to be round it.
+  Crowd::Wish wish() const noexcept { return {intent_.displacement, room_m_}; }
   /// That sub-step ends with the body at `to`, pressed against something or not.
   void settle(const Floor& floor, Vector2 to, bool pressed, double step_s) noexcept;
   /// It presses against something at time_s; `normal` points away from that. speed_mps is how fast they came together.

@@ -18,17 +18,19 @@ constexpr double kSameNormal = 1 - 1e-6;  // cosine
 
 void Crowd::make_room(std::size_t robots) {
   way_.resize(robots);
+  room_m_.resize(robots);
   busy_.resize(robots);
   member_.resize(robots);
+  engaged_.resize(robots);
   pressed_.resize(robots);
   members_.reserve(robots);
   near_.reserve(robots);
   meetings_.reserve(kMeetingsPerRobot * robots);
-  presses_.reserve(2 * kMeetingsPerRobot * robots);
+  presses_.reserve((2 * kMeetingsPerRobot + 1) * robots);
 }
 
-void Crowd::gather(Neighbours& all, std::span<const std::size_t> busy, std::span<const Vector2> ways) noexcept {
-  for (const std::uint32_t member : members_) member_[member] = 0;
+void Crowd::gather(Neighbours& all, std::span<const std::size_t> busy, std::span<const Wish> wishes) noexcept {
+  for (const std::uint32_t member : members_) member_[member] = engaged_[member] = 0;
   for (const Press& press : presses_) pressed_[press.robot] = 0;
   members_.clear();
   meetings_.clear();
@@ -37,8 +39,9 @@ void Crowd::gather(Neighbours& all, std::span<const std::size_t> busy, std::span
   double longest_m = 0;
   for (const std::size_t robot : busy) {
     busy_[robot] = 1;
-    way_[robot] = ways[robot];
-    longest_m = std::max(longest_m, ways[robot].length());
+    way_[robot] = wishes[robot].way;
+    room_m_[robot] = wishes[robot].room_m;
+    longest_m = std::max(longest_m, way_[robot].length());
   }
   const double reach_m = 2 * (radius_m_ + longest_m) + kTouch_m;
   for (const std::size_t robot : busy) {
@@ -70,6 +73,8 @@ bool Crowd::activate(const Neighbours& all) noexcept {
     sweep_disc(apart, way, radius_m_, {{0, 0}, radius_m_}, first);
     if (!first.happened()) continue;
     meeting.active = news = true;
+    engaged_[meeting.robot] = 1;
+    if (!meeting.other_stands) engaged_[meeting.other] = 1;
     meeting.normal = first.normal;
     meeting.gap_m = std::max(apart.dot(first.normal) - 2 * radius_m_, 0.0);
     meeting.closing_m = std::max(-way.dot(first.normal), 0.0);
@@ -80,8 +85,10 @@ bool Crowd::activate(const Neighbours& all) noexcept {
 /// The walls and movers that the ways found so far run into. True if there is any that was not known.
 bool Crowd::find_walls(const World& world, const Neighbours& all) noexcept {
   bool news = false;
+  const bool only_ground = world.movers().empty();
   for (const std::uint32_t robot : members_) {
-    if (!(way_[robot].squared() > 0) || meetings_.size() == meetings_.capacity()) continue;
+    if (only_ground && room_m_[robot] > way_[robot].length() + kTouch_m) continue;
+    if (engaged_[robot] == 0 || !(way_[robot].squared() > 0) || meetings_.size() == meetings_.capacity()) continue;
     const Vector2 from = all.discs()[robot].position;
     const World::Slide slide = world.slide(from, way_[robot], radius_m_);
     if (!slide.touched) continue;
@@ -158,16 +165,35 @@ void Crowd::carry(const World& world, Neighbours& all) noexcept {
 }
 
 bool Crowd::carry(std::size_t robot, const World& world, Neighbours& all) noexcept {
-  const double left_m = way_[robot].length();
-  if (!(left_m > kExact_m)) return false;
+  if (!(way_[robot].squared() > kExact_m * kExact_m)) return false;
+  const Vector2 from = all.discs()[robot].position;
+  const World::Slide slid = slide(robot, world, all);
+  bool arrived = false;
+  if (engaged_[robot] == 0) {  // it meets a wall at most; robots in its way are about to leave it
+    arrived = !slid.touched || near_.empty();
+    if (slid.touched) press_wall(robot, near_.empty() ? slid : world.slide(from, way_[robot], radius_m_));
+    engaged_[robot] = 1;
+  }
+  const Vector2 gone = slid.position - from;
+  way_[robot] = arrived ? Vector2{} : way_[robot] - gone;
+  all.put(robot, {slid.position, radius_m_});
+  return gone.squared() > kExact_m * kExact_m;
+}
+
+void Crowd::press_wall(std::size_t robot, const World::Slide& slide) noexcept {
+  if (!slide.touched) return;
+  const double closing_m = std::max(-slide.normal.dot(way_[robot]), 0.0);
+  presses_.push_back({static_cast<std::uint32_t>(robot), true, slide.normal, closing_m});
+  pressed_[robot] = 1;
+}
+
+/// As far as it gets with the others where they are now.
+World::Slide Crowd::slide(std::size_t robot, const World& world, Neighbours& all) noexcept {
   const Vector2 from = all.discs()[robot].position;
   near_.clear();
-  for (const std::uint32_t other : all.within(from, left_m + 2 * radius_m_ + kTouch_m, robot))
+  for (const std::uint32_t other : all.within(from, way_[robot].length() + 2 * radius_m_ + kTouch_m, robot))
     near_.push_back(all.discs()[other]);
-  const Vector2 to = world.slide(from, way_[robot], radius_m_, near_).position;
-  way_[robot] = way_[robot] - (to - from);
-  all.put(robot, {to, radius_m_});
-  return (to - from).squared() > kExact_m * kExact_m;
+  return world.slide(from, way_[robot], radius_m_, near_);
 }
 
 }  // namespace ganglion::sim

@@ -25,8 +25,13 @@ class Crowd {
   Crowd(double radius_m, bool yields) noexcept : radius_m_(radius_m), yields_(yields) {}
   void make_room(std::size_t robots);
 
-  /// A sub-step begins in which the robots in `busy` want to go `ways` (by robot); the others stand fast.
-  void gather(Neighbours& all, std::span<const std::size_t> busy, std::span<const Vector2> ways) noexcept;
+  /// What a robot wants of a sub-step.
+  struct Wish {
+    Vector2 way{};
+    double room_m = 0;  ///< No surface of the ground is nearer to its body than this, as far as is known.
+  };
+  /// A sub-step begins in which the robots in `busy` have those wishes (by robot); the others stand fast.
+  void gather(Neighbours& all, std::span<const std::size_t> busy, std::span<const Wish> wishes) noexcept;
   /// Those who have others near enough to meet; all other busy robots meet nobody in this sub-step.
   std::span<const std::uint32_t> members() const noexcept { return members_; }
   bool has(std::size_t robot) const noexcept { return member_[robot] != 0; }
@@ -62,13 +67,16 @@ class Crowd {
   double mend(Meeting& meeting) noexcept;
   void carry(const World& world, Neighbours& all) noexcept;
   bool carry(std::size_t robot, const World& world, Neighbours& all) noexcept;
+  void press_wall(std::size_t robot, const World::Slide& slide) noexcept;
+  World::Slide slide(std::size_t robot, const World& world, Neighbours& all) noexcept;
   void list_presses() noexcept;
   Vector2 way_between(const Meeting& meeting) const noexcept;
 
   double radius_m_;
   bool yields_;
   std::vector<Vector2> way_;  // of every robot: wanted at first, in the end true
-  std::vector<char> busy_, member_, pressed_;
+  std::vector<double> room_m_;
+  std::vector<char> busy_, member_, engaged_, pressed_;
   std::vector<std::uint32_t> members_;
   std::vector<Meeting> meetings_;
   std::vector<Press> presses_;

@@ -62,7 +62,7 @@ void Simulation::prepare() {
   is_busy_.resize(bodies_.size());
   alone_m_.resize(bodies_.size());
   busy_.reserve(bodies_.size());
-  wanted_.resize(bodies_.size());
+  wishes_.resize(bodies_.size());
   crowd_ = std::make_unique<Crowd>(config_.model->radius_m, bodies_.front().yields());
   crowd_->make_room(bodies_.size());
   draws_.reserve(devices_.size());
@@ -216,9 +216,9 @@ void Simulation::part(std::size_t robot) noexcept {
 void Simulation::move_busy_robots(double elapsed_s, double step_s) noexcept {
   for (const std::size_t i : busy_) {
     bodies_[i].intend(world_.ground().plan().floor, elapsed_s, step_s);
-    wanted_[i] = bodies_[i].wanted();
+    wishes_[i] = bodies_[i].wish();
   }
-  crowd_->gather(neighbours_, busy_, wanted_);
+  crowd_->gather(neighbours_, busy_, wishes_);
   for (const std::size_t i : busy_) {
     if (!crowd_->has(i)) move_alone(i, time_s_ + elapsed_s, step_s);
   }
@@ -228,9 +228,10 @@ void Simulation::move_busy_robots(double elapsed_s, double step_s) noexcept {
 void Simulation::move_alone(std::size_t robot, double time_s, double step_s) noexcept {
   Body& body = bodies_[robot];
   World::Slide slide{body.truth().pose.position, false, {}};
-  if (wanted_[robot].squared() > 0) slide = world_.slide(slide.position, wanted_[robot], config_.model->radius_m);
+  if (wishes_[robot].way.squared() > 0)
+    slide = world_.slide(slide.position, wishes_[robot].way, config_.model->radius_m);
   body.settle(world_.ground().plan().floor, slide.position, slide.touched, step_s);
-  if (slide.touched) body.note_contact(slide.normal, -wanted_[robot].dot(slide.normal) / step_s, time_s);
+  if (slide.touched) body.note_contact(slide.normal, -wishes_[robot].way.dot(slide.normal) / step_s, time_s);
   neighbours_.put(robot, body.disc());
   part(robot);
 }

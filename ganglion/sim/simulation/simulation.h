@@ -94,9 +94,9 @@ class Simulation final : public Application {
   Neighbours neighbours_;
   std::vector<double> way_m_;  // of each robot in this step
   std::vector<char> is_busy_;
-  std::vector<double> alone_m_;    // how near at least the others were to each after the last step; 0 = unknown
-  std::vector<std::size_t> busy_;  // robots that go by sub-steps in this step
-  std::vector<Vector2> wanted_;    // of each robot in this sub-step
+  std::vector<double> alone_m_;      // how near at least the others were to each after the last step; 0 = unknown
+  std::vector<std::size_t> busy_;    // robots that go by sub-steps in this step
+  std::vector<Crowd::Wish> wishes_;  // of each robot in this sub-step
   std::unique_ptr<Crowd> crowd_;
   std::unique_ptr<Lookout> lookout_;
   std::vector<Draws> draws_;  // of the devices of one robot that draw a normal first
