@@ -38,6 +38,8 @@ class CastRays {
   bool empty() const noexcept { return fan_ == nullptr; }
   double range_m(std::size_t n) const noexcept { return fan_->range_m(first_ + n); }
   Hit hit(std::size_t n) const noexcept { return sight_->hit(*fan_, first_ + n); }
+  /// Of a ray that met something.
+  Sight::Incidence incidence(std::size_t n) const noexcept { return sight_->incidence(*fan_, first_ + n); }
 
  private:
   const Sight* sight_ = nullptr;

@@ -9,8 +9,6 @@
 namespace ganglion::sim {
 namespace {
 
-// What rays are told of what they meet: the place in its columns, from these numbers up.
-constexpr double kRounds = 1 << 12, kOthers = 1 << 13, kWalked = 1 << 30;
 constexpr double kTolerance_m = 1e-4;  // mirrored rays begin a little off the surface
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -27,12 +28,21 @@ class Sight {
   void cast(RayFan& fan, std::size_t group, Vector2 position, Vector2 ahead) noexcept;
   /// What a ray of the fan met when its group was cast, as long as nobody looks elsewhere.
   Hit hit(const RayFan& fan, std::size_t place) const noexcept;
+  /// How a ray of the fan, which met something, fell on that.
+  struct Incidence {
+    double cosine = 1;  ///< Between the ray and the surface's normal, both ways the same.
+    Material material = Material::Rough;
+  };
+  Incidence incidence(const RayFan& fan, std::size_t place) const noexcept;
   /// One ray from anywhere; the way that led there included, it may not end farther off than stated.
   Hit cast(const Ray& ray, double max_range_m) noexcept;
   /// Whether a ray from there of that length stays within what was gathered.
   bool covers(Vector2 from, double range_m) const noexcept;
 
  private:
+  // What rays are told of what they meet: the place in its columns, from these numbers up.
+  static constexpr double kRounds = 1 << 12, kOthers = 1 << 13, kWalked = 1 << 30;
+
   struct Columns {
     explicit Columns(std::size_t rows) : a(padded(rows)), b(a), c(a), d(a), name(a) {}
     std::vector<double> a, b, c, d, name;
@@ -62,5 +72,16 @@ class Sight {
   std::span<const std::uint32_t> averted_;        // segments still to be added, once a mirrored ray is cast
   std::vector<std::uint32_t> chosen_;
 };
+
+inline Sight::Incidence Sight::incidence(const RayFan& fan, std::size_t place) const noexcept {
+  const Vector2 along{fan.along_x_[place], fan.along_y_[place]};
+  if (const double name = fan.name_[place]; name < kRounds) {
+    const SurfaceGrid::Face& face = ground_->surfaces().face(item_[static_cast<std::size_t>(name)]);
+    const double cosine = face.normal.dot(along);
+    if (cosine >= 0 || !face.solid) return {std::fabs(cosine), face.material};
+  }
+  const Hit met = hit(fan, place);  // round, moving, or left from within a solid
+  return {-met.normal.dot(along), met.material};
+}
 
 }  // namespace ganglion::sim

@@ -34,13 +34,18 @@ Limits Sonar::limits(std::size_t channel) const noexcept {
   return {0, std::max(config_.no_echo_s, 2 * config_.max_range_m / speed_of_sound_mps(config_.air_C))};
 }
 
-bool Sonar::answers(const Hit& hit, Vector2 unit_direction, double way_m) const noexcept {
-  if (hit.material == Material::Soft && way_m > config_.soft_range * config_.max_range_m) return false;
-  return -hit.normal.dot(unit_direction) >= cos_incidence_[static_cast<std::size_t>(hit.material)];
+bool Sonar::answers(const Sight::Incidence& met, double way_m) const noexcept {
+  if (met.material == Material::Soft && way_m > config_.soft_range * config_.max_range_m) return false;
+  return met.cosine >= cos_incidence_[static_cast<std::size_t>(met.material)];
 }
 
 double Sonar::way_m(const Scene& scene, const Ray& axis, std::size_t n, double within_m) const noexcept {
-  if (!scene.rays.empty() && !(scene.rays.range_m(n) < within_m)) return kInfinity;
+  if (!scene.rays.empty()) {
+    const double range_m = scene.rays.range_m(n);
+    if (!(range_m < within_m && range_m <= config_.max_range_m)) return kInfinity;
+    if (answers(scene.rays.incidence(n), range_m)) return range_m;
+    if (config_.mirror_bounces == 0) return kInfinity;
+  }
   Vector2 from = axis.from;
   Vector2 along = axis.direction * rays_[n].x + axis.direction.left() * rays_[n].y;
   Hit hit = first_hit(scene, rays_[n], n, config_.max_range_m);
@@ -59,7 +64,7 @@ double Sonar::way_m(const Scene& scene, const Ray& axis, std::size_t n, double w
 }
 
 double Sonar::echo_range_m(const Scene& scene) const noexcept {
-  const Ray axis{scene.mount().position, scene.ahead()};
+  const Ray axis{scene.robot.pose.position + scene.turned(scene.mounting->pose.position), scene.ahead()};
   double nearest_m = kInfinity;
   for (std::size_t n = 0; n < rays_.size(); ++n) {
     nearest_m = std::min(nearest_m, way_m(scene, axis, n, std::min(nearest_m, ray_reach_m_[n])));

@@ -72,7 +72,10 @@ class Sonar final : public Sensor {
   double way_m(const Scene& scene, const Ray& axis, std::size_t n, double within_m) const noexcept;
   /// Half the nearest way of another's ping over a surface to here, if it is less than within_m; else +inf.
   double crosstalk_m(const Scene& scene, double within_m) const noexcept;
-  bool answers(const Hit& hit, Vector2 unit_direction, double way_m) const noexcept;
+  bool answers(const Sight::Incidence& met, double way_m) const noexcept;
+  bool answers(const Hit& hit, Vector2 unit_direction, double way_m) const noexcept {
+    return answers({-hit.normal.dot(unit_direction), hit.material}, way_m);
+  }
 
   SonarConfig config_;
   std::vector<Vector2> rays_;        // unit directions in the sensor's frame
