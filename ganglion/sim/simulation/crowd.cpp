@@ -10,15 +10,17 @@ constexpr std::size_t kMeetingsPerRobot = 16;  // on the average; what is over i
 constexpr double kTouch_m = 1e-6;              // discs this close to each other touch
 constexpr int kLooks = 4;                      // at what the ways found so far run into
 constexpr int kSweeps = 200;                   // over all meetings
-constexpr double kExact_m = 1e-10;
-constexpr int kRounds = 6;                // in which those behind follow those ahead
-constexpr double kSameNormal = 1 - 1e-6;  // cosine
+constexpr double kSettled_m = 1e-8;            // of the pushes; a rounding of ways, carry() lets nothing overlap
+constexpr double kExact_m = 1e-10;             // shorter ways are none
+constexpr int kRounds = 6;                     // in which those behind follow those ahead
+constexpr double kSameNormal = 1 - 1e-6;       // cosine
 
 }  // namespace
 
 void Crowd::make_room(std::size_t robots) {
   way_.resize(robots);
   room_m_.resize(robots);
+  first_wall_.resize(robots);
   busy_.resize(robots);
   member_.resize(robots);
   engaged_.resize(robots);
@@ -48,6 +50,7 @@ void Crowd::gather(Neighbours& all, std::span<const std::size_t> busy, std::span
     const auto near = all.within(all.discs()[robot].position, reach_m, robot);
     if (near.empty()) continue;
     member_[robot] = 1;
+    first_wall_[robot] = 0;
     members_.push_back(static_cast<std::uint32_t>(robot));
     for (const std::uint32_t other : near) {
       if (busy_[other] != 0 && other < robot) continue;  // that one has seen this one
@@ -91,20 +94,25 @@ bool Crowd::find_walls(const World& world, const Neighbours& all) noexcept {
     if (engaged_[robot] == 0 || !(way_[robot].squared() > 0) || meetings_.size() == meetings_.capacity()) continue;
     const Vector2 from = all.discs()[robot].position;
     const World::Slide slide = world.slide(from, way_[robot], radius_m_);
-    if (!slide.touched) continue;
-    const auto known = [&](const Meeting& meeting) {
-      return meeting.wall && meeting.robot == robot && meeting.normal.dot(slide.normal) > kSameNormal;
-    };
-    if (std::any_of(meetings_.begin(), meetings_.end(), known)) continue;
+    if (!slide.touched || knows_wall(robot, slide.normal)) continue;
     meetings_.push_back({.robot = robot,
                          .wall = true,
                          .active = true,
                          .normal = slide.normal,
                          .gap_m = std::max(-slide.normal.dot(slide.position - from), 0.0),
-                         .closing_m = std::max(-slide.normal.dot(way_[robot]), 0.0)});
+                         .closing_m = std::max(-slide.normal.dot(way_[robot]), 0.0),
+                         .next_wall = first_wall_[robot]});
+    first_wall_[robot] = static_cast<std::uint32_t>(meetings_.size());
     news = true;
   }
   return news;
+}
+
+bool Crowd::knows_wall(std::size_t robot, Vector2 normal) const noexcept {
+  for (std::uint32_t n = first_wall_[robot]; n != 0; n = meetings_[n - 1].next_wall) {
+    if (meetings_[n - 1].normal.dot(normal) > kSameNormal) return true;
+  }
+  return false;
 }
 
 /// Shares what one meeting lacks evenly between the two; by how much that changed its push.
@@ -125,7 +133,7 @@ void Crowd::solve() noexcept {
     for (Meeting& meeting : meetings_) {
       if (meeting.active) most_m = std::max(most_m, mend(meeting));
     }
-    if (most_m < kExact_m) return;
+    if (most_m < kSettled_m) return;
   }
 }
 

@@ -60,9 +60,11 @@ class Crowd {
     double gap_m = 0;
     double closing_m = 0;
     double push_m = 0;
+    std::uint32_t next_wall = 0;  // of the same robot, as index + 1; 0 = none
   };
   bool activate(const Neighbours& all) noexcept;
   bool find_walls(const World& world, const Neighbours& all) noexcept;
+  bool knows_wall(std::size_t robot, Vector2 normal) const noexcept;
   void solve() noexcept;
   double mend(Meeting& meeting) noexcept;
   void carry(const World& world, Neighbours& all) noexcept;
@@ -76,6 +78,7 @@ class Crowd {
   bool yields_;
   std::vector<Vector2> way_;  // of every robot: wanted at first, in the end true
   std::vector<double> room_m_;
+  std::vector<std::uint32_t> first_wall_;  // of each member, as index in meetings_ + 1; 0 = none
   std::vector<char> busy_, member_, engaged_, pressed_;
   std::vector<std::uint32_t> members_;
   std::vector<Meeting> meetings_;
