@@ -236,6 +236,24 @@ TEST_F(RobotEndTest, LetsAControllerOnASerialLineStartAgain) {
   EXPECT_TRUE(end_.commands(line));
 }
 
+TEST_F(RobotEndTest, ForgetsWhatASerialLineDoesNotTake) {
+  const auto line = end_.open(Carrier::Packets, "serial", now_s_);
+  FrameWriter writer(Carrier::Packets, Encoding::Binary);
+  wire::Hello hello;
+  hello.set_major(1);
+  hello.set_role(wire::WATCH);
+  std::string bytes;
+  ASSERT_TRUE(writer.append(hello, bytes));
+  for (int n = 0; n < 20'000; ++n) {
+    end_.receive(line, bytes, now_s_);
+    ASSERT_LE(end_.outgoing(line).size(), std::size_t{4} << 20);
+  }
+  now_s_ = 100;
+  end_.poll(now_s_);
+  EXPECT_FALSE(end_.gone(line));
+  EXPECT_GT(end_.due_s(), now_s_);
+}
+
 /// Sessions with a few bytes changed, left out or put in, fed in pieces.
 TEST(RobotEnd, SurvivesSpoiltSessions) {
   std::mt19937 chance(5);
