@@ -148,6 +148,46 @@ void seed_link(const fs::path& folder) {
   }
 }
 
+/// Pieces as fuzz_c_robot.cpp reads them: a session in either pace.
+void seed_c_robot(const fs::path& folder) {
+  for (const auto pace : {link::wire::LOCK_STEP, link::wire::FREE_RUNNING}) {
+    std::string pieces;
+    const auto say = [&pieces](const auto& message) {
+      link::FrameWriter writer(link::Carrier::Stream, link::Encoding::Binary);
+      std::string bytes;
+      good = good && writer.append(message, bytes);
+      const std::string payload = bytes.substr(4);  // without its length
+      pieces += static_cast<char>(payload.size());
+      pieces += payload;
+      pieces += std::string_view("\0\x0a", 2);  // 100 ms
+    };
+    link::wire::Hello hello;
+    hello.set_major(1);
+    hello.set_pace(pace);
+    say(hello);
+    link::wire::Reset reset;
+    reset.set_seed(7);
+    say(reset);
+    link::wire::Beat beat;
+    beat.set_number(300);
+    say(beat);
+    link::wire::Act act;
+    for (std::uint32_t tick = 0; tick < 3; ++tick) {
+      act.set_tick(tick);
+      act.set_ttl_ms(tick * 100);
+      act.set_step_s(0.1 * tick);
+      act.clear_values32();
+      for (const float value : {0.5F, 7.0F}) act.add_values32(value);
+      if (tick == 2) act.add_ttl_s(0.05);
+      say(act);
+    }
+    hello.set_token("ihgfedcb");  // of 0x12345678
+    say(hello);
+    say(link::wire::Bye());
+    keep(folder / std::to_string(pace), pieces);
+  }
+}
+
 }  // namespace
 }  // namespace ganglion
 
@@ -158,5 +198,6 @@ int main(int count, char** words) {
   ganglion::seed_map(folder / "map");
   ganglion::seed_mcap(folder / "mcap");
   ganglion::seed_link(folder / "link");
+  ganglion::seed_c_robot(folder / "c_robot");
   return ganglion::good ? 0 : 1;
 }

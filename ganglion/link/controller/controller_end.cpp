@@ -45,7 +45,7 @@ void ControllerEnd::act(std::span<const ActFrame> frames, double step_s, double 
   const bool lock_step = config_.pace == wire::LOCK_STEP;
   act_.set_tick(sense_.tick());
   act_.set_step_s(lock_step ? step_s : 0);
-  write_acts(frames, config_.floats, act_);
+  write_acts(frames, floats_, act_);
   wanted_tick_ = sense_.tick() + 1;
   if (lock_step) {
     want(Wanted::Answer, now_s);
@@ -140,6 +140,7 @@ void ControllerEnd::heard_hello() {
   }
   token_ = in_.hello.token().substr(0, 100);
   robot_program_ = printable(in_.hello.name(), 100);
+  floats_ = in_.hello.floats();
 }
 
 void ControllerEnd::heard_bye(double now_s) {

@@ -95,6 +95,7 @@ class ControllerEnd {
   Wanted waiting_for_ = Wanted::Nothing;
   std::string token_;
   std::string robot_program_;
+  bool floats_ = false;  // the robot takes no doubles
   wire::Describe describe_;
   wire::Sense sense_;
   wire::Reset reset_;

@@ -21,6 +21,8 @@ TEST(Address, IsReadAsPeopleWriteIt) {
   EXPECT_EQ(parse_address("tcp://[::1]:80")->host, "::1");
   EXPECT_EQ(parse_address("serial:///dev/ttyUSB0?baud=9600")->baud, 9600u);
   EXPECT_EQ(parse_address("serial:///dev/ttyACM0")->baud, 115'200u);
+  EXPECT_EQ(make_line(*parse_address("serial+tcp://127.0.0.1:7007"))->carrier(), Carrier::Packets);
+  EXPECT_EQ(make_line(*parse_address("tcp://127.0.0.1:7007"))->carrier(), Carrier::Stream);
   for (const char* wrong : {"", "robot", ":7007", "tcp://a:70000", "tcp://a:", "serial://ttyUSB0",
                             "serial:///dev/x?speed=1", "serial:///dev/x?baud=0"}) {
     EXPECT_FALSE(parse_address(wrong)) << wrong;

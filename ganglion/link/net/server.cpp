@@ -35,7 +35,12 @@ class Server::Shell {
   Shell(RobotEnd& end, Address address)
       : end_(end), address_(std::move(address)), acceptor_(context_), timer_(context_), accept_timer_(context_) {}
 
-  Result<void> open() { return address_.kind == Address::Kind::Tcp ? open_tcp() : open_serial(); }
+  Result<void> open() {
+    if (address_.kind == Address::Kind::SerialOverTcp) {
+      return fail(ErrorCode::BadParameter, "{}: listening is done at tcp://HOST:PORT or a serial line", address_.text);
+    }
+    return address_.kind == Address::Kind::Tcp ? open_tcp() : open_serial();
+  }
   const Address& address() const noexcept { return address_; }
 
   void serve(const std::function<bool()>& stop, const std::string& reason) {
