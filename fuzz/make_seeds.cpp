@@ -1,8 +1,10 @@
 // make_seeds EXPERIMENTS FOLDER: good inputs for the fuzzers to start from, in FOLDER/toml, FOLDER/map, FOLDER/mcap and
-// FOLDER/link.
+// FOLDER/link_binary, link_json and link_packets.
 #include <cstdio>
 
+#include "fuzz/link/script.h"
 #include "ganglion/base/file.h"
+#include "ganglion/link/fault/frame_cutter.h"
 #include "ganglion/link/testing/bench.h"
 #include "ganglion/record/mcap/fields.h"
 #include "ganglion/record/run_recorder.h"
@@ -112,39 +114,76 @@ void seed_mcap(const fs::path& folder) {
   good = good && recorder->finish({.digest = "00", .success = true, .reason = "goal"});
 }
 
-/// What both sides of a short session say, as fuzz_link.cpp takes it.
-void seed_session(const fs::path& folder, link::Carrier carrier, link::Encoding encoding) {
+/// The frames in some bytes, each a piece; the first of them some time after what was before.
+void add(fuzz::Script& script, link::Carrier carrier, std::uint8_t wait, std::string_view bytes) {
+  link::FrameCutter cutter(carrier);
+  cutter.feed(bytes);
+  while (auto frame = cutter.next()) script.pieces.push_back({std::exchange(wait, 0), std::move(*frame)});
+}
+
+std::vector<ActFrame> commands(std::uint32_t tick, const RobotDescription& robot) {
+  std::vector<ActFrame> act(2, make_act_frame(robot));
+  for (ActFrame& frame : act) {
+    frame.values = {0.5, -0.25};
+    frame.origins = {tick == 2 ? CommandOrigin::Withdrawn : CommandOrigin::Commanded};
+    frame.reasons = {static_cast<std::uint16_t>(tick == 2 ? 3 : 0)};
+    frame.ttl_s = {tick == 3 ? 0.04 : 0.3};
+  }
+  return act;
+}
+
+/// What both sides of a short session say, as the link targets take it: a greeting, a reset, five ticks, and goodbye.
+void seed_session(const fs::path& folder, const std::string& name, const fuzz::Dialect& dialect, bool free_running) {
+  const link::Carrier carrier = dialect.carrier;
   link::NotebookRobot robot(2);
   link::RobotEnd end(robot, nullptr, link::robot_config());
-  link::ControllerEnd controller({.carrier = carrier, .encoding = encoding});
+  link::ControllerEndConfig config{.carrier = carrier, .encoding = dialect.encoding};
+  config.pace = free_running ? link::wire::FREE_RUNNING : link::wire::LOCK_STEP;
+  link::ControllerEnd controller(config);
   const auto peer = end.open(carrier, "", 0);
-  const std::vector<ActFrame> act(2, make_act_frame(robot.description()));
-  const char reader = carrier == link::Carrier::Stream ? 0 : 1;
-  std::string to_robot(1, reader), to_controller(1, static_cast<char>(reader + 2));
+  fuzz::Script to_robot, to_controller;
+  to_controller.to_controller = true;
+  to_robot.free_running = to_controller.free_running = free_running;
+  double now_s = 0;
+  const auto exchange = [&](std::uint8_t wait) {
+    add(to_robot, carrier, wait, controller.outgoing());
+    end.receive(peer, controller.outgoing(), now_s);
+    controller.outgoing().clear();
+    now_s += fuzz::kWait_s * wait;
+    end.poll(now_s);
+    const std::string answer(end.outgoing(peer));
+    end.sent(peer, answer.size(), now_s);
+    add(to_controller, carrier, wait, answer);
+    controller.receive(answer, now_s);
+  };
   controller.greet(0);
   controller.connected(0);
-  for (int tick = 0; tick < 5; ++tick) {
-    if (tick > 0) controller.act(act, 0.1, 0);
-    to_robot += controller.outgoing();
-    end.receive(peer, controller.outgoing(), 0);
-    controller.outgoing().clear();
-    const std::string answer(end.outgoing(peer));
-    end.sent(peer, answer.size(), 0);
-    to_controller += answer;
-    controller.receive(answer, 0);
+  exchange(0);
+  good = good && controller.done();
+  controller.reset(7, 0, now_s);
+  exchange(0);
+  for (std::uint32_t tick = 0; tick < 5; ++tick) {
+    controller.take_sense();
+    controller.act(commands(tick, robot.description()), 0.1, now_s);
+    if (free_running) controller.await_sense(now_s);
+    exchange(5);
   }
   good = good && controller.done();
-  const std::string name =
-      std::string(reader == 0 ? "tcp" : "serial") + (encoding == link::Encoding::Json ? "_json" : "_binary");
-  keep(folder / (name + "_to_robot"), to_robot);
-  keep(folder / (name + "_to_controller"), to_controller);
+  controller.bye("done");
+  exchange(0);
+  keep(folder / (name + "_to_robot"), to_robot.text());
+  keep(folder / (name + "_to_controller"), to_controller.text());
 }
 
 void seed_link(const fs::path& folder) {
-  for (const link::Carrier carrier : {link::Carrier::Stream, link::Carrier::Packets}) {
-    for (const link::Encoding encoding : {link::Encoding::Binary, link::Encoding::Json}) {
-      seed_session(folder, carrier, encoding);
-    }
+  using link::Carrier;
+  using link::Encoding;
+  for (const bool free_running : {false, true}) {
+    const std::string pace = free_running ? "free" : "lock";
+    seed_session(folder / "link_binary", pace, {Carrier::Stream, Encoding::Binary}, free_running);
+    seed_session(folder / "link_json", pace, {Carrier::Stream, Encoding::Json}, free_running);
+    seed_session(folder / "link_packets", pace, {Carrier::Packets, Encoding::Binary}, free_running);
+    seed_session(folder / "link_packets", pace + "_json", {Carrier::Packets, Encoding::Json}, free_running);
   }
 }
 
@@ -197,7 +236,7 @@ int main(int count, char** words) {
   ganglion::seed_toml(words[1], folder / "toml");
   ganglion::seed_map(folder / "map");
   ganglion::seed_mcap(folder / "mcap");
-  ganglion::seed_link(folder / "link");
+  ganglion::seed_link(folder);
   ganglion::seed_c_robot(folder / "c_robot");
   return ganglion::good ? 0 : 1;
 }

@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
   int code = ganglion::kDone;
   ganglion::add_run(program, code);
   ganglion::add_sim(program, code);
+  ganglion::add_proxy(program, code);
   ganglion::add_check(program, code);
   ganglion::add_format(program, code);
   ganglion::add_kinds(program, code);
