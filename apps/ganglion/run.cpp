@@ -301,8 +301,10 @@ void add_run(CLI::App& program, int& code) {
                    "matrix: every single fault over the seeds (default 1..20), as a table; pairs: every two as well")
       ->check(CLI::IsMember({"matrix", "pairs"}))
       ->excludes(seed);
-  command->add_option("--robot", arguments->robot,
-                      "tcp://HOST:PORT or serial:///dev/ttyUSB0?baud=115200: drive the robot there");
+  command->add_option(
+      "--robot", arguments->robot,
+      "tcp://HOST:PORT, serial:///dev/ttyUSB0?baud=115200 or serial+tcp://HOST:PORT (a serial line behind "
+      "a socket): drive the robot there");
   command->add_option("--threads", arguments->threads, "Threads for --seeds; default: one for each processor")
       ->check(CLI::Range(1, 256));
   auto* pace = command->add_option("--pace", arguments->pace, "max, or a multiple of real time: 1x, 0.5x, 20x");

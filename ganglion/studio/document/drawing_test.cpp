@@ -88,7 +88,7 @@ TEST(Drawing, DrawsABrokenFileButForItsBrokenLines) {
 
 TEST(Drawing, OpensAnythingAtAll) {
   for (const std::string text : {"", "[", "[[acting]]", "\xff\xfe", "= 1\n=\n[[[[", "[layout]\na = [1", "a = {", "'''",
-                                  "[[acting]]\nin = 3\nid = 4"}) {
+                                 "[[acting]]\nin = 3\nid = 4"}) {
     EXPECT_FALSE(opened(text)["runnable"]) << text;
   }
 }
