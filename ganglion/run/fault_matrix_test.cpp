@@ -1,6 +1,8 @@
 #include "ganglion/run/fault_matrix.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
@@ -141,13 +143,14 @@ std::string problems_with(const std::string& text, const std::vector<config::Ove
   const fs::path file = kNimrod / "experiment.toml";
   std::ifstream in(file);
   std::string all{std::istreambuf_iterator<char>(in), {}};
-  const fs::path folder = fs::path(testing::TempDir()) / "ganglion_faults";
+  const fs::path folder = fs::path(testing::TempDir()) / fmt::format("ganglion_faults_{}", ::getpid());
   fs::create_directories(folder);
   for (const char* name : {"controller.toml", "robot.toml", "office.toml"})
     fs::copy_file(kNimrod / name, folder / name, fs::copy_options::overwrite_existing);
   std::ofstream(folder / "experiment.toml") << all << text;
   Problems problems;
   prepare(folder, overrides, problems);
+  fs::remove_all(folder);
   std::string said = problems.text();
   for (std::size_t at; (at = said.find(folder.string() + "/")) != std::string::npos;)
     said.erase(at, folder.string().size() + 1);

@@ -1,4 +1,6 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 
@@ -19,7 +21,7 @@ const fs::path kExperiments = fs::path(GANGLION_SOURCE_DIR) / "experiments";
 /// A copy of all experiments to spoil files in.
 class MutatedFiles : public ::testing::Test {
  protected:
-  MutatedFiles() : folder_(fs::temp_directory_path() / "ganglion_mutated_files") {
+  MutatedFiles() : folder_(fs::temp_directory_path() / fmt::format("ganglion_mutated_files_{}", ::getpid())) {
     fs::remove_all(folder_);
     fs::copy(kExperiments, folder_, fs::copy_options::recursive);
     for (const auto& entry : fs::recursive_directory_iterator(folder_)) {

@@ -17,9 +17,7 @@ class Differential final : public Drive {
   void supply(double share) noexcept override { wheels_.supply(share); }
   Movement move(const Pose2& pose, double step_s) noexcept override { return wheels_.move(pose, step_s); }
   double steady_mps() const noexcept override { return wheels_.steady_mps(); }
-  Movement foreseen(const Pose2& pose, double step_s) const noexcept override {
-    return wheels_.foreseen(pose, step_s);
-  }
+  Movement foreseen(const Pose2& pose, double step_s) const noexcept override { return wheels_.foreseen(pose, step_s); }
 
  private:
   WheelPair wheels_;

@@ -19,9 +19,7 @@ class Tracked final : public Drive {
   void supply(double share) noexcept override { tracks_.supply(share); }
   Movement move(const Pose2& pose, double step_s) noexcept override { return tracks_.move(pose, step_s); }
   double steady_mps() const noexcept override { return tracks_.steady_mps(); }
-  Movement foreseen(const Pose2& pose, double step_s) const noexcept override {
-    return tracks_.foreseen(pose, step_s);
-  }
+  Movement foreseen(const Pose2& pose, double step_s) const noexcept override { return tracks_.foreseen(pose, step_s); }
 
  private:
   static WheelPairConfig widened(WheelPairConfig config, double skid_factor) noexcept {
