@@ -12,9 +12,10 @@ int main(int argc, char** argv) {
       "  ganglion run experiments/nimrod --seed 7\n"
       "  ganglion run experiments/nimrod --seeds 1..100 --json\n"
       "  ganglion check experiments/nimrod/controller.toml\n"
-      "Exit codes: 0 done, 1 the robot failed its task, 2 bad input, 4 output failed.");
+      "Exit codes: 0 done, 1 the robot failed its task, 2 bad input, 3 link to the robot lost, 4 output failed.");
   int code = ganglion::kDone;
   ganglion::add_run(program, code);
+  ganglion::add_sim(program, code);
   ganglion::add_check(program, code);
   ganglion::add_format(program, code);
   ganglion::add_kinds(program, code);

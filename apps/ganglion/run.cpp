@@ -13,6 +13,7 @@
 #include "ganglion/run/fault_matrix.h"
 #include "ganglion/run/recording.h"
 #include "interrupt.h"
+#include "overrides.h"
 #include "results_json.h"
 #include "say.h"
 
@@ -28,6 +29,7 @@ struct RunArguments {
   bool has_seed = false;
   std::string seeds;
   std::string faults;
+  std::string robot;
   std::string pace = "max";
   std::string out;
   std::string experience;
@@ -38,14 +40,12 @@ struct RunArguments {
   bool no_report = false;
 };
 
+/// --robot is an application.address.
 std::vector<config::Override> overrides_of(const RunArguments& arguments, Problems& problems) {
-  std::vector<config::Override> overrides;
-  for (const std::string& text : arguments.set) {
-    if (auto override = config::parse_override(text)) {
-      overrides.push_back(std::move(*override));
-    } else {
-      problems.add(override.error());
-    }
+  auto overrides = overrides_of(arguments.set, problems);
+  if (!arguments.robot.empty()) {
+    overrides.push_back({"application.program", "[]"});
+    overrides.push_back({"application.address", arguments.robot});
   }
   return overrides;
 }
@@ -242,6 +242,10 @@ int run_one(const Prepared& prepared, const RunArguments& arguments, double pace
   if (!arguments.json) {
     for (const std::string& file : result->files) fmt::print("wrote {}\n", file);
   }
+  if (result->link_lost) {
+    complain(*result->link_lost);
+    return kLinkLostCode;
+  }
   if (written != kDone) return written;
   return result->success ? kDone : kRobotFailed;
 }
@@ -287,6 +291,8 @@ void add_run(CLI::App& program, int& code) {
                    "matrix: every single fault over the seeds (default 1..20), as a table; pairs: every two as well")
       ->check(CLI::IsMember({"matrix", "pairs"}))
       ->excludes(seed);
+  command->add_option("--robot", arguments->robot,
+                      "tcp://HOST:PORT or serial:///dev/ttyUSB0?baud=115200: drive the robot there");
   command->add_option("--threads", arguments->threads, "Threads for --seeds; default: one for each processor")
       ->check(CLI::Range(1, 256));
   command->add_option("--pace", arguments->pace, "max, or a multiple of real time: 1x, 0.5x, 20x");
@@ -302,7 +308,10 @@ void add_run(CLI::App& program, int& code) {
       "  ganglion run experiments/nimrod --set controller=experiments/nimrod/controller.listing.toml\n"
       "  ganglion run experiments/nimrod --set controller.acting.escape.trigger_range_m=0.15 --seeds 1..20\n"
       "  ganglion run experiments/nimrod --faults matrix --seeds 1..100\n"
-      "Exit codes: 0 the robot succeeded (with --seeds: all runs were carried out), 1 it failed, 2 bad input.");
+      "  ganglion run experiments/nimrod --robot tcp://127.0.0.1:7007\n"
+      "Exit codes: 0 the robot succeeded (with --seeds: all runs were carried out), 1 it failed, 2 bad input, 3 the "
+      "link "
+      "to the robot was lost.");
   command->callback([arguments, seed, &code] {
     arguments->has_seed = seed->count() > 0;
     code = run_command(*arguments);

@@ -18,6 +18,7 @@ int complain(const Problems& problems) {
 
 int complain(const Error& error) {
   std::fprintf(stderr, "%s\n", error.text().c_str());
+  if (error.code == ErrorCode::LinkLost) return kLinkLostCode;
   return error.code == ErrorCode::Unwritable ? kOutputFailed : kBadInput;
 }
 

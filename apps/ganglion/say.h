@@ -8,7 +8,8 @@ namespace ganglion {
 
 /// Problems on standard error, one a line. Returns kBadInput.
 int complain(const Problems& problems);
-/// Returns kOutputFailed for what could not be written, else kBadInput.
+/// Returns kOutputFailed for what could not be written, kLinkLostCode for a robot that cannot be reached, else
+/// kBadInput.
 int complain(const Error& error);
 
 /// A line on standard error that replaces itself while something long goes on; silent where it is no terminal.

@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "ganglion/base/hash.h"
+
 namespace ganglion {
 
 SenseFrame make_sense_frame(const RobotDescription& description) {
@@ -22,6 +24,17 @@ ActFrame make_act_frame(const RobotDescription& description) {
   frame.ttl_s.assign(channels, 0.3);
   frame.reasons.assign(channels, 0);
   return frame;
+}
+
+void make_canonical(SenseFrame& frame) noexcept {
+  frame.time_s = canonical(frame.time_s);
+  if (frame.cost) frame.cost = canonical(*frame.cost);
+  for (double& value : frame.values) value = canonical(value);
+  for (double& age_s : frame.ages_s) age_s = canonical(age_s);
+}
+
+void make_canonical(ActFrame& frame) noexcept {
+  for (double& value : frame.values) value = canonical(value);
 }
 
 }  // namespace ganglion

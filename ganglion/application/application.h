@@ -49,11 +49,18 @@ class Application {
   virtual void sense(std::span<SenseFrame> frames) noexcept = 0;
   /// Carries the commands out for step_s, for one robot or many; then the next tick begins.
   virtual void step(std::span<const ActFrame> frames, double step_s) noexcept = 0;
+  /// Why nothing can be sensed and done any more; null while all is well. Looked at between ticks.
+  virtual const Error* failure() const noexcept { return nullptr; }
 };
 
 /// A frame of the described size: no reading yet (NaN), ages infinite.
 SenseFrame make_sense_frame(const RobotDescription& description);
 /// A frame of the described size: safe values.
 ActFrame make_act_frame(const RobotDescription& description);
+
+/// At the boundary between application and controller a number has one spelling, whatever carried it: -0 is 0, and
+/// there is one NaN. So a run over a link has the bits of a run within one program.
+void make_canonical(SenseFrame& frame) noexcept;
+void make_canonical(ActFrame& frame) noexcept;
 
 }  // namespace ganglion

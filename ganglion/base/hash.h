@@ -35,4 +35,7 @@ inline std::uint64_t canonical_bits(double value) noexcept {
   return std::bit_cast<std::uint64_t>(value == 0 ? 0.0 : value);
 }
 
+/// The same number with those bits.
+inline double canonical(double value) noexcept { return std::bit_cast<double>(canonical_bits(value)); }
+
 }  // namespace ganglion

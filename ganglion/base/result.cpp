@@ -33,6 +33,8 @@ std::string_view name_of(ErrorCode code) noexcept {
       return "Corrupt";
     case ErrorCode::Unsupported:
       return "Unsupported";
+    case ErrorCode::LinkLost:
+      return "LinkLost";
   }
   return "?";
 }

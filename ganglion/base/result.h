@@ -32,6 +32,7 @@ enum class ErrorCode {
   Unwritable,    ///< Output failed: disk full, no permission, no such folder.
   Corrupt,       ///< A file that was damaged or cut.
   Unsupported,   ///< Well-formed, but of a version or feature we do not handle.
+  LinkLost,      ///< A robot that cannot be reached, went silent, or refused.
 };
 
 /// The code's name, as written in JSON output: "BadWire".

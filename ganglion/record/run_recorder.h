@@ -10,6 +10,7 @@
 
 #include "ganglion/record/mcap/writer.h"
 #include "ganglion/record/run_info.h"
+#include "ganglion/record/run_sink.h"
 #include "ganglion/record/signal_table.h"
 
 namespace ganglion {
@@ -21,18 +22,15 @@ namespace ganglion {
 /// whose schemas are named as Foxglove's viewers know them ("foxglove.PoseInFrame", "foxglove.LaserScan"...) or
 /// "ganglion.*". Every message's time is the run's own, from 0 [ns]: two runs of one seed have the same messages, byte
 /// for byte.
-class RunRecorder {
+class RunRecorder final : public RunSink {
  public:
   /// Fails with Unwritable when the file cannot be made. A file without outcome tells of a run that was cut.
   static Result<RunRecorder> create(const std::filesystem::path& path, const RunInfo& info,
                                     McapWriterOptions options = {});
 
-  /// The number by which write_row() knows the table.
-  int add_table(std::string_view topic, std::span<const SignalColumn> columns);
-  /// One row, as many values as the table has columns.
-  void write_row(int table, std::uint32_t tick, double time_s, std::span<const double> values);
-  /// `json` is one object, not looked into. The first message of a topic makes its channel.
-  void write_json(std::string_view topic, std::string_view schema_name, double time_s, std::string_view json);
+  int add_table(std::string_view topic, std::span<const SignalColumn> columns) override;
+  void write_row(int table, std::uint32_t tick, double time_s, std::span<const double> values) override;
+  void write_json(std::string_view topic, std::string_view schema_name, double time_s, std::string_view json) override;
   /// An input file, the experience the run started from...
   void attach(std::string_view name, std::string_view bytes);
   /// Starts all so far on its way to the disk: for a run that pauses.

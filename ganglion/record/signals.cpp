@@ -3,7 +3,6 @@
 #include <google/protobuf/descriptor.pb.h>
 
 #include <algorithm>
-#include <bit>
 
 #include "ganglion/base/expects.h"
 #include "ganglion/base/hash.h"
@@ -17,8 +16,6 @@ Signals& scratch() {
   static thread_local Signals message;
   return message;
 }
-
-double canonical(double value) noexcept { return std::bit_cast<double>(canonical_bits(value)); }
 
 }  // namespace
 

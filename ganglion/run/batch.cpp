@@ -52,8 +52,10 @@ Result<std::vector<RunResult>> run_batch(const Prepared& prepared, const BatchOp
   expects(options.last_seed >= options.first_seed);
   Work work{prepared, options, {}, {}, {}, {}, 0, {}};
   work.results.resize(options.last_seed - options.first_seed + 1);
-  const unsigned threads =
-      options.threads > 0 ? static_cast<unsigned>(options.threads) : std::max(1u, std::thread::hardware_concurrency());
+  const bool one_robot = !prepared.experiment.link.address.empty();  // only one run at a time can command it
+  const unsigned threads = one_robot             ? 1u
+                           : options.threads > 0 ? static_cast<unsigned>(options.threads)
+                                                 : std::max(1u, std::thread::hardware_concurrency());
   {
     std::vector<std::jthread> pool;
     for (unsigned i = 0; i < threads; ++i) pool.emplace_back([&work] { work_through(work); });

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "ganglion/base/base64.h"
 #include "ganglion/base/hash.h"
 
@@ -23,7 +25,7 @@ std::string fields_json(const GridExhibit& grid) {
 
 }  // namespace
 
-ExhibitWriter::ExhibitWriter(RunRecorder& recorder, std::map<std::string, std::uint64_t>& shown, std::string robot,
+ExhibitWriter::ExhibitWriter(RunSink& recorder, std::map<std::string, std::uint64_t>& shown, std::string robot,
                              std::string component, double time_s)
     : recorder_(recorder), shown_(shown), robot_(std::move(robot)), component_(std::move(component)), time_s_(time_s) {}
 

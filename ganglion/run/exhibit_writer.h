@@ -5,7 +5,7 @@
 #include <string>
 
 #include "ganglion/module/exhibit.h"
-#include "ganglion/record/run_recorder.h"
+#include "ganglion/record/run_sink.h"
 
 namespace ganglion {
 
@@ -14,7 +14,7 @@ namespace ganglion {
 class ExhibitWriter final : public Exhibition {
  public:
   /// Topics are "/robot0/map/router" and "/robot0/route/router". `shown` keeps hashes between calls.
-  ExhibitWriter(RunRecorder& recorder, std::map<std::string, std::uint64_t>& shown, std::string robot,
+  ExhibitWriter(RunSink& recorder, std::map<std::string, std::uint64_t>& shown, std::string robot,
                 std::string component, double time_s);
   void grid(const GridExhibit& grid) override;
   void path(std::string_view name, std::span<const Vector2> points) override;
@@ -22,7 +22,7 @@ class ExhibitWriter final : public Exhibition {
  private:
   bool changed(const std::string& topic, std::uint64_t hash);
 
-  RunRecorder& recorder_;
+  RunSink& recorder_;
   std::map<std::string, std::uint64_t>& shown_;
   std::string robot_;
   std::string component_;

@@ -1,12 +1,14 @@
 #include "ganglion/run/experiment.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <tuple>
 
 #include "ganglion/base/file.h"
 #include "ganglion/base/text.h"
+#include "ganglion/link/net/address.h"
 
 namespace ganglion {
 namespace {
@@ -51,6 +53,27 @@ SpawnChoice read_spawn(Table table) {
   return spawn;
 }
 
+constexpr std::array<std::string_view, 2> kPaces = {"lock_step", "free_running"};
+constexpr std::array<std::string_view, 2> kEncodings = {"binary", "json"};
+
+LinkChoice read_link(Table& application) {
+  LinkChoice link;
+  link.address = application.text("address", "");
+  link.program = application.texts("program");
+  link.free_running = application.choice("pace", kPaces, 0) == 1;
+  link.json = application.choice("encoding", kEncodings, 0) == 1;
+  if (!link.address.empty()) {
+    if (const auto address = link::parse_address(link.address); !address) {
+      application.problem("address", address.error().code, "{}", address.error().message);
+    }
+    if (!link.program.empty()) {
+      application.problem("program", ErrorCode::BadParameter,
+                          "give either an address, where a robot listens, or a program to start");
+    }
+  }
+  return link;
+}
+
 std::vector<Criterion> read_criteria(Table& table, std::string_view key) {
   std::vector<Criterion> criteria;
   for (const std::string& text : table.texts(key)) {
@@ -75,6 +98,7 @@ void read_application(Table application, Experiment& experiment, const Experimen
   experiment.files.world = read_file_name(application, "world", instead.world);
   experiment.robots = application.integer("robots", 1, config::Range{1, 10'000});
   experiment.spawn = read_spawn(application.table("spawn"));
+  experiment.link = read_link(application);
 }
 
 void read_run(Table run, Experiment& experiment) {

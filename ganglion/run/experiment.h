@@ -20,6 +20,15 @@ struct SpawnChoice {
   std::optional<Angle> yaw;  ///< Of a random place; none = random as well.
 };
 
+/// Where the robots are, when they are not simulated in this program.
+struct LinkChoice {
+  std::string address;               ///< "tcp://HOST:PORT", "serial:///dev/ttyUSB0?baud=115200"; "" = none.
+  std::vector<std::string> program;  ///< Started for the run, with the port it shall listen on.
+  bool free_running = false;         ///< They keep a clock of their own, else the controller's ticks are theirs.
+  bool json = false;                 ///< Frames as JSON lines, for people who watch the bytes.
+  bool remote() const noexcept { return !address.empty() || !program.empty(); }
+};
+
 /// The files an experiment stands on, as they were found: paths in files are relative to those, in --set to the
 /// working directory.
 struct ExperimentFiles {
@@ -35,6 +44,7 @@ struct Experiment {
   ExperimentFiles files;
   int robots = 1;
   SpawnChoice spawn;
+  LinkChoice link;
   double duration_s = 60;
   std::uint64_t seed = 1;
   double maps_every_s = 1;         ///< How often maps are recorded while they change.

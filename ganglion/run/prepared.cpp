@@ -29,9 +29,9 @@ std::filesystem::path robot_named_by(const config::Value& controller, Problems& 
 std::shared_ptr<const sim::RobotModel> load_robot(const Experiment& experiment, Problems& problems) {
   if (experiment.files.robot.empty()) return nullptr;
   auto robot = sim::load_robot(experiment.files.robot, sim_kinds(), experiment.robot_overrides, problems);
-  if (robot != nullptr && !robot->simulated()) {
+  if (robot != nullptr && !robot->simulated() && !experiment.link.remote()) {
     problems.add({experiment.files.robot.string(), 1, 1}, ErrorCode::MissingKey,
-                 "describes a robot without [drive]: it cannot be simulated");
+                 "describes a robot without [drive]: it cannot be simulated; where is it? Give application.address");
   }
   return robot;
 }

@@ -13,6 +13,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kManifest = "inputs.json";
+constexpr double kWatchedMaps_s = 0.25;  // who watches sees a map grow
 
 /// The deepest folder that all the files lie below.
 fs::path common_folder(const std::vector<fs::path>& files) {
@@ -70,24 +71,38 @@ bool stays_inside(const fs::path& path) {
 
 }  // namespace
 
-Result<Recording> Recording::start(const Prepared& prepared, const RunOptions& options,
-                                   const sim::Simulation& simulation,
-                                   const std::vector<std::unique_ptr<Controller>>& controllers) {
-  Recording recording;
-  if (options.run_file.empty()) return recording;
-  recording.file_ = options.run_file;
+Result<void> Recording::open(const Prepared& prepared, const RunOptions& options) {
+  file_ = options.run_file;
   std::error_code ignored;
   fs::create_directories(fs::absolute(options.run_file).parent_path(), ignored);
   auto recorder = RunRecorder::create(options.run_file, info_of(prepared, options));
   if (!recorder) return tl::unexpected<Error>(recorder.error());
-  recording.recorder_ = std::make_unique<RunRecorder>(std::move(*recorder));
-  if (auto attached = attach_inputs(*recording.recorder_, prepared.experiment); !attached) {
-    return tl::unexpected<Error>(attached.error());
+  recorder_ = std::make_unique<RunRecorder>(std::move(*recorder));
+  if (auto attached = attach_inputs(*recorder_, prepared.experiment); !attached) return attached;
+  criterion_ = text_of(prepared.experiment.success);
+  recorder_->attach(kExperienceAttachment, export_parts(to_parts(options.experience)));
+  return {};
+}
+
+Result<Recording> Recording::start(const Prepared& prepared, const RunOptions& options, const RunRobots& robots,
+                                   const std::vector<std::unique_ptr<Controller>>& controllers) {
+  Recording recording;
+  const auto writer_to = [&](RunSink& sink, const Experiment& experiment) {
+    auto writer = std::make_unique<RunWriter>(sink, experiment, prepared.controller, robots, controllers);
+    sim::World world(prepared.ground);
+    world.reset(options.seed, options.episode);
+    writer->write_scene(world, *prepared.robot, prepared.controller);
+    return writer;
+  };
+  if (!options.run_file.empty()) {
+    if (auto opened = recording.open(prepared, options); !opened) return tl::unexpected<Error>(opened.error());
+    recording.writer_ = writer_to(*recording.recorder_, prepared.experiment);
   }
-  recording.criterion_ = text_of(prepared.experiment.success);
-  recording.recorder_->attach(kExperienceAttachment, export_parts(to_parts(options.experience)));
-  recording.writer_ = std::make_unique<RunWriter>(*recording.recorder_, prepared.experiment, prepared.controller,
-                                                  *prepared.robot, simulation, controllers);
+  if (options.watcher != nullptr) {
+    Experiment watched = prepared.experiment;
+    watched.maps_every_s = std::min(watched.maps_every_s, kWatchedMaps_s);
+    recording.watched_ = writer_to(*options.watcher, watched);
+  }
   return recording;
 }
 

@@ -4,27 +4,33 @@
 
 #include "ganglion/experience/stored_part.h"
 #include "ganglion/record/run_file.h"
+#include "ganglion/record/run_recorder.h"
 #include "ganglion/run/run.h"
+#include "ganglion/run/run_robots.h"
 #include "ganglion/run/run_writer.h"
 
 namespace ganglion {
 
 /// The run file of one run, with everything needed to repeat it: every input file, what --set changed, and the
-/// experience the run started from. Without a file to write to, all calls do nothing.
+/// experience the run started from. Who watches is told the same. Without a file and a watcher all calls do nothing.
 class Recording {
  public:
-  static Result<Recording> start(const Prepared& prepared, const RunOptions& options, const sim::Simulation& simulation,
+  static Result<Recording> start(const Prepared& prepared, const RunOptions& options, const RunRobots& robots,
                                  const std::vector<std::unique_ptr<Controller>>& controllers);
   void write(std::uint32_t tick, double time_s) {
     if (writer_) writer_->write(tick, time_s);
+    if (watched_) watched_->write(tick, time_s);
   }
   /// Adds the outcome, closes the file and names it in the result.
   Result<void> finish(RunResult& result);
 
  private:
+  Result<void> open(const Prepared& prepared, const RunOptions& options);
+
   std::filesystem::path file_;
   std::unique_ptr<RunRecorder> recorder_;
   std::unique_ptr<RunWriter> writer_;
+  std::unique_ptr<RunWriter> watched_;
   std::string criterion_;
 };
 

@@ -68,11 +68,13 @@ Result<ReplayResult> replay_run(const fs::path& run_file) {
   const auto prepared = prepare(inputs->files.experiment, inputs->overrides, problems, inputs->files);
   if (!prepared) return tl::unexpected<Error>(problems.sorted().front());
   RunOptions options;
+  options.in_process = true;
   options.seed = recorded->info.seed;
   options.episode = recorded->info.episode;
   options.experience = std::move(inputs->experience);
   options.run_file = folder.path() / "repeated.mcap";
-  const bool short_run = !recorded->outcome || recorded->outcome->reason.starts_with(kInterrupted);
+  const bool short_run = !recorded->outcome || recorded->outcome->reason.starts_with(kInterrupted) ||
+                         recorded->outcome->reason.starts_with(kLinkLost);
   if (short_run && !recorded->tables.empty()) {  // only as far as it goes
     const std::size_t rows = recorded->tables.front().rows();
     options.progress = [rows, done = std::size_t{0}](double) mutable { return ++done < rows; };

@@ -39,13 +39,16 @@ void report_ratios(std::span<const sim::GoalRecord> reached, Yardstick yardstick
 
 }  // namespace
 
-RobotMeasures::RobotMeasures(const sim::Ground& ground, const sim::Truth& start, double radius_m,
+RobotMeasures::RobotMeasures(const sim::Ground& ground, const sim::Truth* start, double radius_m,
                              const Controller& controller, const FreeGround* free_ground)
-    : start_(start.pose.position), course_(direction(start.pose.yaw.rad())), free_ground_(free_ground) {
+    : known_(start != nullptr), free_ground_(free_ground) {
+  find_signals(controller);
+  if (!known_) return;
+  start_ = start->pose.position;
+  course_ = direction(start->pose.yaw.rad());
   far_wall_m_ = ground.far_wall_m(start_, course_);
   reach_m_ = far_wall_m_ - radius_m - kFarWallMargin_m;
   at_far_wall_ = reach_m_ <= 0;
-  find_signals(controller);
 }
 
 void RobotMeasures::find_signals(const Controller& controller) {
@@ -59,16 +62,20 @@ void RobotMeasures::find_signals(const Controller& controller) {
   }
 }
 
-void RobotMeasures::update(double time_s, double step_s, const sim::Truth& truth, std::span<const double> values) {
+void RobotMeasures::update(double time_s, double step_s, const sim::Truth* truth, std::span<const double> values) {
   time_s_ = time_s;
   ++ticks_;
   for (Share& share : shares_) share.ticks += values[share.signal];
+  if (truth != nullptr) witness(step_s, *truth, values);
+}
+
+void RobotMeasures::witness(double step_s, const sim::Truth& truth, std::span<const double> values) {
   const bool excused = std::any_of(excuses_.begin(), excuses_.end(), [&](std::size_t i) { return values[i] == 1; });
   const double way_m = truth.travelled_m - last_.travelled_m;
   if (excused && way_m < kStill_mps * step_s) {
     dwell_.interrupt();
   } else {
-    dwell_.add(time_s, truth.pose.position);
+    dwell_.add(time_s_, truth.pose.position);
   }
   visited_.insert(square_of(truth.pose.position));
   last_ = truth;
@@ -89,17 +96,20 @@ void RobotMeasures::follow_course(const sim::Truth& truth) {
 
 void RobotMeasures::report(Measures& into) const {
   into.emplace_back("duration_s", time_s_);
-  into.emplace_back("travelled_m", last_.travelled_m);
-  into.emplace_back("energy_J", last_.energy_J);
-  into.emplace_back("contacts", last_.contacts);
-  into.emplace_back("fastest_contact_mps", last_.fastest_contact_mps);
-  into.emplace_back("progress_m", progress_m_);
-  into.emplace_back("far_wall_m", far_wall_m_);
+  const auto put = [&](const char* name, double value) {
+    into.emplace_back(name, known_ ? value : std::numeric_limits<double>::quiet_NaN());
+  };
+  put("travelled_m", last_.travelled_m);
+  put("energy_J", last_.energy_J);
+  put("contacts", last_.contacts);
+  put("fastest_contact_mps", last_.fastest_contact_mps);
+  put("progress_m", progress_m_);
+  put("far_wall_m", far_wall_m_);
   const Vector2 way = last_.pose.position - start_;
-  into.emplace_back("off_course_m", std::fabs(course_.x * way.y - course_.y * way.x));
-  if (free_ground_ != nullptr) into.emplace_back("progress_ratio", progress_ratio_);
-  into.emplace_back("dwell_s", dwell_.longest_s());
-  into.emplace_back("explored_m2", static_cast<double>(visited_.size()) * kSquare_m * kSquare_m);
+  put("off_course_m", std::fabs(course_.x * way.y - course_.y * way.x));
+  if (free_ground_ != nullptr) put("progress_ratio", progress_ratio_);
+  put("dwell_s", dwell_.longest_s());
+  put("explored_m2", static_cast<double>(visited_.size()) * kSquare_m * kSquare_m);
   for (const Share& share : shares_) {
     into.emplace_back(share.name, ticks_ > 0 ? share.ticks / static_cast<double>(ticks_) : 0);
   }

@@ -17,7 +17,8 @@ namespace ganglion {
 /// How far free ground would have taken the robot along its course, tick by tick: the yardstick of progress_ratio.
 using FreeGround = std::vector<double>;
 
-/// What is measured of one simulated robot during a run, from the truth and not from its sensors.
+/// What is measured of one robot during a run, from the truth and not from its sensors. Where nobody knows the truth,
+/// all but duration and shares are NaN.
 ///
 ///   duration_s            time simulated
 ///   travelled_m           way of the body's centre
@@ -33,10 +34,10 @@ using FreeGround = std::vector<double>;
 ///   <id>_share            for each candidate of a coordinator the share of ticks it drove
 class RobotMeasures {
  public:
-  RobotMeasures(const sim::Ground& ground, const sim::Truth& start, double radius_m, const Controller& controller,
+  RobotMeasures(const sim::Ground& ground, const sim::Truth* start, double radius_m, const Controller& controller,
                 const FreeGround* free_ground);
   /// After each step: the time now, the truth, and what the controller's signals were.
-  void update(double time_s, double step_s, const sim::Truth& truth, std::span<const double> values);
+  void update(double time_s, double step_s, const sim::Truth* truth, std::span<const double> values);
   void report(Measures& into) const;
   bool at_far_wall() const noexcept { return at_far_wall_; }
   double progress_m() const noexcept { return progress_m_; }
@@ -48,8 +49,10 @@ class RobotMeasures {
     double ticks = 0;
   };
   void find_signals(const Controller& controller);
+  void witness(double step_s, const sim::Truth& truth, std::span<const double> values);
   void follow_course(const sim::Truth& truth);
 
+  bool known_;  ///< The truth.
   Vector2 start_{};
   Vector2 course_{};
   double far_wall_m_ = 0;

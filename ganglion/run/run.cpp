@@ -11,6 +11,7 @@
 #include "ganglion/kinds/kinds.h"
 #include "ganglion/run/recording.h"
 #include "ganglion/run/robot_measures.h"
+#include "ganglion/run/run_robots.h"
 
 namespace ganglion {
 namespace {
@@ -47,17 +48,17 @@ Result<Controllers> make_controllers(const Prepared& prepared, const RunOptions&
 /// One run as it goes: application, controllers, frames between them.
 class Course {
  public:
-  Course(const Prepared& prepared, std::unique_ptr<sim::Simulation> simulation,
-         std::unique_ptr<FaultyApplication> application, Controllers controllers)
+  Course(const Prepared& prepared, RunRobots robots, std::unique_ptr<FaultyApplication> application,
+         Controllers controllers)
       : step_s_(prepared.step_s),
-        simulation_(std::move(simulation)),
+        robots_(std::move(robots)),
         application_(std::move(application)),
         controllers_(std::move(controllers)) {
     const RobotDescription& description = prepared.robot->description;
     sense_.assign(controllers_.size(), make_sense_frame(description));
     act_.assign(controllers_.size(), make_act_frame(description));
     for (std::size_t i = 0; i < controllers_.size(); ++i) {
-      truth_digests_.push_back(truth_.join(static_cast<std::uint32_t>(i), "@truth"));
+      if (witness() != nullptr) truth_digests_.push_back(truth_.join(static_cast<std::uint32_t>(i), "@truth"));
     }
   }
 
@@ -65,8 +66,11 @@ class Course {
   void decide() noexcept {
     application_->sense(sense_);
     for (std::size_t i = 0; i < controllers_.size(); ++i) {
+      make_canonical(sense_[i]);
       controllers_[i]->tick(sense_[i], step_s_, act_[i]);
-      const sim::Truth& truth = simulation_->truth(static_cast<int>(i));
+      make_canonical(act_[i]);
+      if (witness() == nullptr) continue;
+      const sim::Truth& truth = witness()->truth(static_cast<int>(i));
       const std::array<double, 4> bits = {truth.pose.position.x, truth.pose.position.y, truth.pose.yaw.rad(),
                                           truth.energy_J};
       truth_.add(truth_digests_[i], sense_[i].tick, bits);
@@ -80,7 +84,10 @@ class Course {
 
   std::uint32_t tick() const noexcept { return sense_.front().tick; }
   double time_s() const noexcept { return sense_.front().time_s; }
-  const sim::Simulation& simulation() const noexcept { return *simulation_; }
+  const RunRobots& robots() const noexcept { return robots_; }
+  const sim::Witness* witness() const noexcept { return robots_.witness(); }
+  /// Of the first robot's trainer; null where there is none.
+  const sim::TrainerLog* trainer() const noexcept { return witness() != nullptr ? witness()->trainer_log(0) : nullptr; }
   const Controllers& controllers() const noexcept { return controllers_; }
   std::string digest() const {
     std::uint64_t sum = truth_.total();
@@ -102,8 +109,8 @@ class Course {
 
  private:
   double step_s_;
-  std::unique_ptr<sim::Simulation> simulation_;
-  std::unique_ptr<FaultyApplication> application_;  // of the simulation
+  RunRobots robots_;
+  std::unique_ptr<FaultyApplication> application_;  // of the robots
   Controllers controllers_;
   std::vector<SenseFrame> sense_;
   std::vector<ActFrame> act_;
@@ -111,19 +118,16 @@ class Course {
   std::vector<std::size_t> truth_digests_;
 };
 
-Result<Course> make_course(const Prepared& prepared, const RunOptions& options,
-                           std::shared_ptr<const sim::Ground> ground, const std::vector<Pose2>& starts,
-                           const std::vector<Fault>& faults) {
-  auto simulation = sim::Simulation::make(prepared.simulation(std::move(ground), starts));
-  if (!simulation) return tl::unexpected<Error>(simulation.error());
-  auto faulty = FaultyApplication::make(**simulation, faults, prepared.step_s);
+Result<Course> make_course(const Prepared& prepared, const RunOptions& options, Result<RunRobots> robots) {
+  if (!robots) return tl::unexpected<Error>(robots.error());
+  auto faulty = FaultyApplication::make(robots->application(), prepared.experiment.faults, prepared.step_s);
   if (!faulty) return tl::unexpected<Error>(faulty.error());
   if (auto reset = (*faulty)->reset(options.seed, options.episode); !reset) {
     return tl::unexpected<Error>(reset.error());
   }
   auto controllers = make_controllers(prepared, options);
   if (!controllers) return tl::unexpected<Error>(controllers.error());
-  return Course(prepared, std::move(*simulation), std::move(*faulty), std::move(*controllers));
+  return Course(prepared, std::move(*robots), std::move(*faulty), std::move(*controllers));
 }
 
 std::uint32_t ticks_of(const Prepared& prepared) {
@@ -134,7 +138,7 @@ std::uint32_t ticks_of(const Prepared& prepared) {
 /// their way.
 Result<std::vector<FreeGround>> drive_free_ground(const Prepared& prepared, const RunOptions& options,
                                                   const std::vector<Pose2>& starts) {
-  auto course = make_course(prepared, options, prepared.open_ground, starts, prepared.experiment.faults);
+  auto course = make_course(prepared, options, RunRobots::simulate(prepared, prepared.open_ground, starts));
   if (!course) return tl::unexpected<Error>(course.error());
   std::vector<FreeGround> progress(starts.size());
   const std::uint32_t ticks = ticks_of(prepared);
@@ -142,7 +146,7 @@ Result<std::vector<FreeGround>> drive_free_ground(const Prepared& prepared, cons
     course->decide();
     course->act();
     for (std::size_t i = 0; i < starts.size(); ++i) {
-      const Vector2 way = course->simulation().truth(static_cast<int>(i)).pose.position - starts[i].position;
+      const Vector2 way = course->witness()->truth(static_cast<int>(i)).pose.position - starts[i].position;
       const double along_m = way.dot(direction(starts[i].yaw.rad()));
       progress[i].push_back(std::max(along_m, tick > 0 ? progress[i].back() : 0));
     }
@@ -157,25 +161,24 @@ class Judge {
   Judge(const Prepared& prepared, const Course& course, std::vector<FreeGround> free_ground)
       : prepared_(prepared), free_ground_(std::move(free_ground)) {
     for (std::size_t i = 0; i < course.controllers().size(); ++i) {
-      robots_.emplace_back(*prepared.ground, course.simulation().truth(static_cast<int>(i)), prepared.robot->radius_m,
-                           *course.controllers()[i], free_ground_.empty() ? nullptr : &free_ground_[i]);
+      robots_.emplace_back(*prepared.ground, truth_of(course, i), prepared.robot->radius_m, *course.controllers()[i],
+                           free_ground_.empty() ? nullptr : &free_ground_[i]);
     }
   }
   void update(const Course& course, double time_s) {
     for (std::size_t i = 0; i < robots_.size(); ++i) {
-      robots_[i].update(time_s, prepared_.step_s, course.simulation().truth(static_cast<int>(i)),
-                        course.controllers()[i]->values());
+      robots_[i].update(time_s, prepared_.step_s, truth_of(course, i), course.controllers()[i]->values());
     }
   }
   Measures measures(const Course& course) const {
     Measures measures;
     robots_.front().report(measures);
-    if (const sim::TrainerLog* trainer = course.simulation().trainer_log(0)) report_goals(trainer->records(), measures);
+    if (const sim::TrainerLog* trainer = course.trainer()) report_goals(trainer->records(), measures);
     return measures;
   }
   /// The stop rule that is met, or "".
   std::string stopped(const Course& course) const {
-    const sim::TrainerLog* trainer = course.simulation().trainer_log(0);
+    const sim::TrainerLog* trainer = course.trainer();
     const Measures cheap = {{"at_far_wall", robots_.front().at_far_wall() ? 1 : 0},
                             {"goals_done", trainer != nullptr && trainer->done() ? 1 : 0},
                             {"progress_m", robots_.front().progress_m()}};
@@ -186,20 +189,25 @@ class Judge {
   }
 
  private:
+  static const sim::Truth* truth_of(const Course& course, std::size_t robot) {
+    return course.witness() != nullptr ? &course.witness()->truth(static_cast<int>(robot)) : nullptr;
+  }
+
   const Prepared& prepared_;
   std::vector<FreeGround> free_ground_;
   std::vector<RobotMeasures> robots_;
 };
 
 void judge(const Experiment& experiment, RunResult& result) {
-  result.success = result.reason != kInterrupted;
+  result.success = result.reason != kInterrupted && !result.link_lost;
   for (const Criterion& criterion : experiment.success) {
     if (criterion.met(result.measures)) continue;
     result.success = false;
-    const std::string missed =
-        fmt::format("{} ({})", criterion.text(), shortest(measure(result.measures, criterion.name)));
-    result.reason += "; not met: " + missed;
-    result.reason_es += "; no se cumple: " + missed;
+    const double found = measure(result.measures, criterion.name);
+    const bool known = !std::isnan(found);
+    result.reason += fmt::format("; not met: {} ({})", criterion.text(), known ? shortest(found) : "not available");
+    result.reason_es +=
+        fmt::format("; no se cumple: {} ({})", criterion.text(), known ? shortest(found) : "no disponible");
   }
 }
 
@@ -209,7 +217,7 @@ void ended(RunResult& result, std::string_view english, std::string_view spanish
 }
 
 std::size_t concluded_goals(const Course& course) {
-  const sim::TrainerLog* trainer = course.simulation().trainer_log(0);
+  const sim::TrainerLog* trainer = course.trainer();
   if (trainer == nullptr) return 0;
   const auto goals = trainer->records();
   return static_cast<std::size_t>(std::count_if(
@@ -219,30 +227,37 @@ std::size_t concluded_goals(const Course& course) {
 }  // namespace
 
 Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
-  auto course = make_course(prepared, options, prepared.ground, {}, prepared.experiment.faults);
+  auto course = make_course(prepared, options, RunRobots::make(prepared, options));
   if (!course) return tl::unexpected<Error>(course.error());
   std::vector<FreeGround> free_ground;
-  if (prepared.open_ground != nullptr) {
+  if (prepared.open_ground != nullptr && prepared.robot->simulated() && course->witness() != nullptr) {
     std::vector<Pose2> starts;
-    for (int i = 0; i < prepared.experiment.robots; ++i) starts.push_back(course->simulation().truth(i).pose);
+    for (int i = 0; i < prepared.experiment.robots; ++i) starts.push_back(course->witness()->truth(i).pose);
     auto driven = drive_free_ground(prepared, options, starts);
     if (!driven) return tl::unexpected<Error>(driven.error());
     free_ground = std::move(*driven);
   }
   Judge measured(prepared, *course, std::move(free_ground));
-  auto recording = Recording::start(prepared, options, course->simulation(), course->controllers());
+  auto recording = Recording::start(prepared, options, course->robots(), course->controllers());
   if (!recording) return tl::unexpected<Error>(recording.error());
 
   RunResult result;
   result.seed = options.seed;
   ended(result, "duration over", "se acabó el tiempo");
+  const bool begins = !options.armed || options.armed();
+  if (!begins) ended(result, kInterrupted, "interrumpida");
   const Pace pace(options.pace);
-  const std::uint32_t ticks = ticks_of(prepared);
+  const std::uint32_t ticks = begins ? ticks_of(prepared) : 0;
   std::size_t goals = 0;
   for (std::uint32_t tick = 0; tick < ticks; ++tick) {
     course->decide();
     recording->write(course->tick(), course->time_s());
     course->act();
+    if (const Error* lost = course->robots().application().failure()) {
+      result.link_lost = *lost;
+      ended(result, fmt::format("{}: {}", kLinkLost, lost->message), "enlace perdido: " + lost->message);
+      break;
+    }
     const double time_s = (tick + 1) * prepared.step_s;
     measured.update(*course, time_s);
     if (const std::size_t now = concluded_goals(*course); options.learned && now != goals) {
@@ -258,11 +273,11 @@ Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
       ended(result, kInterrupted, "interrumpida");
       break;
     }
-    pace.wait_until(time_s);
+    if (!course->robots().free_running()) pace.wait_until(time_s);
   }
   result.measures = measured.measures(*course);
-  for (int i = 0; i < prepared.experiment.robots; ++i) {
-    const sim::Truth& truth = course->simulation().truth(i);
+  for (int i = 0; i < prepared.experiment.robots && course->witness() != nullptr; ++i) {
+    const sim::Truth& truth = course->witness()->truth(i);
     result.contacts.count += truth.contacts;
     result.contacts.fastest_mps = std::max(result.contacts.fastest_mps, truth.fastest_contact_mps);
   }

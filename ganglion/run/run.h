@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "ganglion/graph/controller.h"
+#include "ganglion/record/run_sink.h"
 #include "ganglion/run/prepared.h"
 
 namespace ganglion {
@@ -20,6 +21,12 @@ struct RunOptions {
   std::function<bool()> stop;
   /// Called when a goal was concluded and at the end, with what robot 0 has learned.
   std::function<void(const std::vector<ModuleExperience>&)> learned;
+  /// Is told all that a run file would hold, whether there is one or not; called between ticks, by the run's own
+  /// thread.
+  RunSink* watcher = nullptr;
+  /// Called once when all is ready, before the first tick: may hold the run back; false ends it before it begins.
+  std::function<bool()> armed;
+  bool in_process = false;  ///< Simulate the robots here, whatever address the experiment names.
 };
 
 struct Contacts {
@@ -39,6 +46,7 @@ struct RunResult {
   Contacts contacts;  ///< Of all robots.
   Measures measures;  ///< Of robot 0; with several robots the worst of each is not taken: see docs/manual/run.md.
   std::vector<std::string> files;
+  std::optional<Error> link_lost;            ///< The run ended early for it.
   std::optional<Error> record_error;         ///< The run was carried out, but its file is not whole.
   std::vector<ModuleExperience> experience;  ///< Of robot 0 at the end.
 };
@@ -50,6 +58,8 @@ Result<RunResult> run(const Prepared& prepared, const RunOptions& options);
 
 /// The reason of a run that `progress` or `stop` ended, before the criteria it did not meet.
 inline constexpr std::string_view kInterrupted = "interrupted";
+/// The same of one whose robots could not be reached any more; what happened follows.
+inline constexpr std::string_view kLinkLost = "link lost";
 
 /// Robots whose components' digests a run tells one by one: enough to compare by, and no burden on a swarm's run file.
 inline constexpr std::uint32_t kDigestedRobots = 100;

@@ -1,8 +1,11 @@
 #include "ganglion/run/run_writer.h"
 
+#include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "ganglion/base/hash.h"
+#include "ganglion/base/text.h"
 #include "ganglion/run/exhibit_writer.h"
 #include "ganglion/sim/world/scene.h"
 
@@ -12,6 +15,15 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kInfo = 2, kWarning = 3;  // levels of foxglove.Log
+constexpr int kTruthColumns = 5;
+
+/// What is recorded of a link; never part of a digest.
+const std::array<SignalColumn, 6> kLinkColumns = {{{"link.round_trip_s", "s"},
+                                                   {"link.clock_offset_s", "s"},
+                                                   {"link.reconnections", ""},
+                                                   {"link.repeated", ""},
+                                                   {"link.lost", ""},
+                                                   {"link.late", ""}}};
 
 std::vector<SignalColumn> columns_of(const Controller& controller) {
   std::vector<SignalColumn> columns = {{"truth.x_m", "m"},
@@ -78,11 +90,11 @@ double cell_of(const ControllerModel& model) {
 
 }  // namespace
 
-RunWriter::RunWriter(RunRecorder& recorder, const Experiment& experiment, const ControllerModel& model,
-                     const sim::RobotModel& robot, const sim::Simulation& simulation,
-                     const std::vector<std::unique_ptr<Controller>>& controllers)
+RunWriter::RunWriter(RunSink& recorder, const Experiment& experiment, const ControllerModel& model,
+                     const RunRobots& robots, const std::vector<std::unique_ptr<Controller>>& controllers)
     : recorder_(recorder),
-      simulation_(simulation),
+      witness_(robots.witness()),
+      remote_(robots.remote()),
       controllers_(controllers),
       maps_every_s_(experiment.maps_every_s),
       cell_m_(cell_of(model)) {
@@ -94,11 +106,15 @@ RunWriter::RunWriter(RunRecorder& recorder, const Experiment& experiment, const 
     one.statuses.assign(static_cast<std::size_t>(controllers[i]->components()), 0);
     robots_.push_back(std::move(one));
   }
-  write_scene(robot, model);
+  if (remote_ == nullptr) return;
+  link_table_ = recorder.add_table("/link/signals", kLinkColumns);
+  for (const link::Difference& one : remote_->differences()) {
+    log(0, kWarning, "link", fmt::format("{}{}{}", one.channel, one.channel.empty() ? "" : ": ", one.text));
+  }
 }
 
-void RunWriter::write_scene(const sim::RobotModel& robot, const ControllerModel& model) {
-  recorder_.write_json("/scene", "ganglion.Scene", 0, sim::scene_json(simulation_.world()));
+void RunWriter::write_scene(const sim::World& world, const sim::RobotModel& robot, const ControllerModel& model) {
+  recorder_.write_json("/scene", "ganglion.Scene", 0, sim::scene_json(world));
   Json sensors = Json::array();
   for (const sim::SensorModel& sensor : robot.sensors) sensors.push_back(sensor_json(sensor, robot, model));
   Json robots = Json::array();
@@ -117,33 +133,59 @@ void RunWriter::write(std::uint32_t tick, double time_s) {
   write_movers(time_s);
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     Robot& robot = robots_[i];
-    const sim::Truth& truth = simulation_.truth(static_cast<int>(i));
-    robot.row[0] = truth.pose.position.x;
-    robot.row[1] = truth.pose.position.y;
-    robot.row[2] = truth.pose.yaw.rad();
-    robot.row[3] = truth.touched ? 1 : 0;
-    robot.row[4] = truth.energy_J;
+    write_truth(i);
     const auto values = controllers_[i]->values();
-    std::copy(values.begin(), values.end(), robot.row.begin() + 5);
+    std::copy(values.begin(), values.end(), robot.row.begin() + kTruthColumns);
     recorder_.write_row(robot.table, tick, time_s, robot.row);
     write_requests(static_cast<int>(i), time_s);
     write_goals(static_cast<int>(i), time_s);
   }
+  if (remote_ != nullptr) write_link(tick, time_s);
   if (time_s + 1e-9 < next_maps_s_) return;
   next_maps_s_ = time_s + maps_every_s_;
   for (std::size_t i = 0; i < robots_.size(); ++i) write_exhibits(static_cast<int>(i), time_s);
 }
 
+void RunWriter::write_truth(std::size_t robot) {
+  std::vector<double>& row = robots_[robot].row;
+  if (witness_ == nullptr) {
+    std::fill_n(row.begin(), kTruthColumns, std::numeric_limits<double>::quiet_NaN());
+    return;
+  }
+  const sim::Truth& truth = witness_->truth(static_cast<int>(robot));
+  row[0] = truth.pose.position.x;
+  row[1] = truth.pose.position.y;
+  row[2] = truth.pose.yaw.rad();
+  row[3] = truth.touched ? 1 : 0;
+  row[4] = truth.energy_J;
+}
+
+void RunWriter::write_link(std::uint32_t tick, double time_s) {
+  const link::LinkStatistics& now = remote_->statistics();
+  const std::array<double, kLinkColumns.size()> row = {now.round_trip_s,
+                                                       now.clock_offset_s,
+                                                       static_cast<double>(now.reconnections),
+                                                       static_cast<double>(now.repeated),
+                                                       static_cast<double>(now.lost),
+                                                       static_cast<double>(now.late)};
+  recorder_.write_row(link_table_, tick, time_s, row);
+  for (const link::wire::Event& event : remote_->take_events()) {
+    const int level = kInfo + std::clamp(static_cast<int>(event.level()), 0, 2);
+    log(time_s, level, "robot", printable(event.text(), 500));
+  }
+}
+
 void RunWriter::write_movers(double time_s) {
+  const auto now = witness_ != nullptr ? witness_->movers() : std::span<const sim::MoverState>{};
   std::uint64_t hash = 1;
-  for (const sim::MoverState& mover : simulation_.world().movers()) {
+  for (const sim::MoverState& mover : now) {
     hash = combine(hash, canonical_bits(mover.pose.position.x));
     hash = combine(hash, canonical_bits(mover.pose.position.y) ^ canonical_bits(mover.pose.yaw.rad()));
   }
-  if (hash == movers_shown_ || simulation_.world().movers().empty()) return;
+  if (hash == movers_shown_ || now.empty()) return;
   movers_shown_ = hash;
   Json movers = Json::array();
-  for (const sim::MoverState& mover : simulation_.world().movers()) {
+  for (const sim::MoverState& mover : now) {
     movers.push_back({{"id", mover.id},
                       {"x_m", mover.pose.position.x},
                       {"y_m", mover.pose.position.y},
@@ -179,7 +221,7 @@ void RunWriter::write_requests(int robot, double time_s) {
 }
 
 void RunWriter::write_goals(int robot, double time_s) {
-  const sim::TrainerLog* trainer = simulation_.trainer_log(robot);
+  const sim::TrainerLog* trainer = witness_ != nullptr ? witness_->trainer_log(robot) : nullptr;
   if (trainer == nullptr) return;
   Robot& one = robots_[static_cast<std::size_t>(robot)];
   const auto goals = trainer->records();

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "ganglion/graph/controller.h"
-#include "ganglion/record/run_recorder.h"
+#include "ganglion/record/run_sink.h"
 #include "ganglion/run/experiment.h"
-#include "ganglion/sim/simulation/simulation.h"
+#include "ganglion/run/run_robots.h"
 
 namespace ganglion {
 
@@ -16,9 +16,10 @@ namespace ganglion {
 /// change, goals and withdrawals as they happen (docs/manual/run_file.md lists the topics).
 class RunWriter {
  public:
-  RunWriter(RunRecorder& recorder, const Experiment& experiment, const ControllerModel& model,
-            const sim::RobotModel& robot, const sim::Simulation& simulation,
+  RunWriter(RunSink& recorder, const Experiment& experiment, const ControllerModel& model, const RunRobots& robots,
             const std::vector<std::unique_ptr<Controller>>& controllers);
+  /// Once, before the first tick: the world as the run begins.
+  void write_scene(const sim::World& world, const sim::RobotModel& robot, const ControllerModel& model);
   /// The tick just decided: truth as it was sensed, and what the controllers made of it. Allocates only for what
   /// changed.
   void write(std::uint32_t tick, double time_s);
@@ -32,15 +33,18 @@ class RunWriter {
     std::size_t goals = 0;
     std::vector<sim::GoalOutcome> outcomes;
   };
-  void write_scene(const sim::RobotModel& robot, const ControllerModel& model);
+  void write_truth(std::size_t robot);
+  void write_link(std::uint32_t tick, double time_s);
   void write_movers(double time_s);
   void write_requests(int robot, double time_s);
   void write_goals(int robot, double time_s);
   void write_exhibits(int robot, double time_s);
   void log(double time_s, int level, const std::string& name, const std::string& message);
 
-  RunRecorder& recorder_;
-  const sim::Simulation& simulation_;
+  RunSink& recorder_;
+  const sim::Witness* witness_;      ///< Null where nobody knows the truth.
+  link::RemoteApplication* remote_;  ///< Null where the robots are simulated here.
+  int link_table_ = -1;
   const std::vector<std::unique_ptr<Controller>>& controllers_;
   double maps_every_s_;
   double next_maps_s_ = 0;

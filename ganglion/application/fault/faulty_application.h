@@ -55,6 +55,7 @@ class FaultyApplication final : public Application {
   Result<void> reset(std::uint64_t seed, std::uint32_t episode) override;
   void sense(std::span<SenseFrame> frames) noexcept override;
   void step(std::span<const ActFrame> frames, double step_s) noexcept override;
+  const Error* failure() const noexcept override { return inner_.failure(); }
 
  private:
   explicit FaultyApplication(Application& inner) : inner_(inner) {}

@@ -6,7 +6,7 @@
 
 #include "ganglion/application/application.h"
 #include "ganglion/sim/robot/robot_model.h"
-#include "ganglion/sim/robot/trainer_log.h"
+#include "ganglion/sim/robot/witness.h"
 #include "ganglion/sim/simulation/body.h"
 #include "ganglion/sim/simulation/device.h"
 #include "ganglion/sim/simulation/lookout.h"
@@ -30,7 +30,7 @@ struct SimulationConfig {
 /// happens within a step, robots that drive steadily and can meet nothing on their way go all of it at once, before the
 /// others. Commands lapse to their safe values exactly after their time to live. The cost of a frame is the energy the
 /// step before it took; the first frame of an episode has none. reset() takes memory; sense() and step() take none.
-class Simulation final : public Application {
+class Simulation final : public Application, public Witness {
  public:
   /// Fails with BadParameter without ground, robots or a simulated model, or where the spawn rule cannot hold.
   static Result<std::unique_ptr<Simulation>> make(SimulationConfig config);
@@ -44,11 +44,11 @@ class Simulation final : public Application {
 
   std::uint32_t tick() const noexcept { return tick_; }
   double time_s() const noexcept { return time_s_; }
-  const Truth& truth(int robot) const noexcept { return bodies_[static_cast<std::size_t>(robot)].truth(); }
+  const Truth& truth(int robot) const noexcept override { return bodies_[static_cast<std::size_t>(robot)].truth(); }
   const World& world() const noexcept { return world_; }
   const RobotModel& model() const noexcept { return *config_.model; }
-  /// Of the robot's first trainer; null if it has none.
-  const TrainerLog* trainer_log(int robot) const noexcept;
+  const TrainerLog* trainer_log(int robot) const noexcept override;
+  std::span<const MoverState> movers() const noexcept override { return world_.movers(); }
   /// There are trainers, and all have seen the outcome of their last goal.
   bool trainer_done() const noexcept;
 

@@ -59,10 +59,10 @@ class Trial {
       to.wires.push_back({port, {Source{.text = from, .place = to.place}}, to.place});
       return true;
     }
-    if (!input.many) found->sources.clear();
     for (const Source& source : found->sources) {
       if (source.text == from) return false;
     }
+    if (!input.many) found->sources.clear();
     found->sources.push_back(Source{.text = from, .place = to.place});
     return true;
   }
@@ -97,10 +97,21 @@ bool is_input_of(const ComponentModel& component, std::size_t port) {
   return is_input(component.component_class, component.descriptor->ports[port].role);
 }
 
-/// Components of one kind that are no part of a circle and hand on no command are refused or taken for the same
-/// reasons: the checks look at the port then, not at who has it.
-bool same_for_its_kind(const PortDescriptor& port) {
-  return port.unit != "*" && port.size != 0 && port.role == PortRole::Feedback;
+/// Whether all components of a kind take or refuse a source at this port for the same reasons: the checks then look at
+/// the port, not at who has it.
+bool same_for_its_kind(const PortDescriptor& port, const ComponentModel* from, const std::string& text) {
+  if (port.role == PortRole::Request || port.role == PortRole::Candidate) {
+    const bool can_ask = from != nullptr && from->id == text && from->component_class != ComponentClass::Sensation &&
+                         from->component_class != ComponentClass::Sensing;
+    return !can_ask;
+  }
+  return port.unit != "*" && port.size != 0;
+}
+
+bool wired_to(const ComponentModel& component, int port, const std::string& text) {
+  const Wire* wire = component.wire(port);
+  return wire != nullptr && std::any_of(wire->sources.begin(), wire->sources.end(),
+                                        [&](const Source& source) { return source.text == text; });
 }
 
 }  // namespace
@@ -118,7 +129,9 @@ Connection may_connect(const Drawing& drawing, const std::string& from, const st
 
 std::vector<Connection> targets_of(const Drawing& drawing, const std::string& from) {
   const Trial trial(drawing);
-  const std::vector<bool> upstream = upstream_of(drawing.model, drawing.model.find(source_id(from)));
+  const int giver = drawing.model.find(source_id(from));
+  const ComponentModel* source = giver >= 0 ? &drawing.model.components[static_cast<std::size_t>(giver)] : nullptr;
+  const std::vector<bool> upstream = upstream_of(drawing.model, giver);
   std::map<const PortDescriptor*, std::vector<std::string>> known;
   std::vector<Connection> result;
   for (std::size_t i = 0; i < drawing.unresolved.components.size(); ++i) {
@@ -127,7 +140,8 @@ std::vector<Connection> targets_of(const Drawing& drawing, const std::string& fr
     for (std::size_t p = 0; p < component.descriptor->ports.size(); ++p) {
       const PortDescriptor& port = component.descriptor->ports[p];
       if (!is_input_of(component, p)) continue;
-      const bool shared = same_for_its_kind(port) && !upstream[i] && component.wire(static_cast<int>(p)) == nullptr;
+      const bool shared =
+          same_for_its_kind(port, source, from) && !upstream[i] && !wired_to(component, static_cast<int>(p), from);
       const auto found = shared ? known.find(&port) : known.end();
       if (found != known.end()) {
         result.push_back({component.id, std::string(port.name), from, found->second});

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,8 +12,6 @@
 #include "ganglion/studio/document/source_map.h"
 
 namespace ganglion::studio {
-
-using Json = nlohmann::ordered_json;
 
 /// Where a text lives: paths in it are relative to its file, and nothing outside of the folder is read.
 struct DocumentPlace {
@@ -45,7 +42,8 @@ struct Drawing {
 /// Always opens.
 Drawing open_drawing(std::string_view text, const DocumentPlace& place);
 
-/// For the page: docs/studio_api.md, Model. Messages in the given language.
-Json drawing_json(const Drawing& drawing, std::string_view text, Language language);
+/// For the page: docs/studio_api.md, Model. Messages in the given language. Written straight into a text: a tree of
+/// values takes longer than all the checks.
+std::string drawing_json(const Drawing& drawing, std::string_view text, Language language);
 
 }  // namespace ganglion::studio

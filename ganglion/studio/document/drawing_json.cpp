@@ -1,111 +1,119 @@
 #include <algorithm>
 #include <unordered_map>
 
-#include "ganglion/base/text.h"
 #include "ganglion/studio/document/drawing.h"
+#include "ganglion/studio/document/json_text.h"
 #include "ganglion/studio/document/wording.h"
 
 namespace ganglion::studio {
 namespace {
 
-Json robot_json(const Drawing& drawing) {
-  Json json = {{"path", drawing.robot_path.generic_string()},
-               {"name", drawing.robot ? drawing.robot->name : ""},
-               {"known", drawing.robot.has_value()},
-               {"channels", Json::array()},
-               {"commands", Json::array()}};
-  if (!drawing.robot) return json;
-  for (const SensationChannel& channel : drawing.robot->sensations) {
-    json["channels"].push_back({{"name", channel.name},
-                                {"unit", channel.unit},
-                                {"type", name_of(channel.type)},
-                                {"elements", channel.elements},
-                                {"min", channel.min},
-                                {"max", channel.max}});
+template <class Texts>
+void write_texts(JsonText& json, std::string_view name, const Texts& texts) {
+  json.key(name).begin_list();
+  for (const auto& text : texts) json.value(std::string_view(text));
+  json.end_list();
+}
+
+void write_robot(JsonText& json, const Drawing& drawing) {
+  json.key("robot").begin_object();
+  json.member("path", drawing.robot_path.generic_string());
+  json.member("name", drawing.robot ? drawing.robot->name : "").member("known", drawing.robot.has_value());
+  const RobotDescription robot = drawing.robot.value_or(RobotDescription{});
+  json.key("channels").begin_list();
+  for (const SensationChannel& channel : robot.sensations) {
+    json.begin_object().member("name", channel.name).member("unit", channel.unit);
+    json.member("type", name_of(channel.type));
+    write_texts(json, "elements", channel.elements);
+    json.member("min", channel.min).member("max", channel.max).end_object();
   }
-  for (const CommandChannel& channel : drawing.robot->commands) {
-    Json elements = Json::array();
+  json.end_list().key("commands").begin_list();
+  for (const CommandChannel& channel : robot.commands) {
+    json.begin_object().member("name", channel.name).key("elements").begin_list();
     for (const CommandElement& one : channel.elements) {
-      elements.push_back(
-          {{"name", one.name}, {"unit", one.unit}, {"min", one.min}, {"max", one.max}, {"safe", one.safe}});
+      json.begin_object().member("name", one.name).member("unit", one.unit);
+      json.member("min", one.min).member("max", one.max).member("safe", one.safe).end_object();
     }
-    json["commands"].push_back({{"name", channel.name}, {"elements", std::move(elements)}});
+    json.end_list().end_object();
   }
-  return json;
+  json.end_list().end_object();
 }
 
 /// The parts of a wire's text: "escape.active@previous".
-Json wire_json(const std::string& text, int line, int column, bool ok) {
+void write_wire(JsonText& json, const std::string& text, int line, int column, bool ok) {
   constexpr std::string_view kPrevious = "@previous";
   std::string_view rest = text;
   const bool previous = rest.ends_with(kPrevious);
   if (previous) rest.remove_suffix(kPrevious.size());
-  const std::size_t dot = rest.find('.');
-  const std::string_view from = rest.substr(0, dot);
-  const std::string_view tail = dot == std::string_view::npos ? std::string_view() : rest.substr(dot + 1);
-  const std::size_t second = tail.find('.');
-  return {{"text", text},
-          {"from", from},
-          {"output", tail.substr(0, second)},
-          {"element", second == std::string_view::npos ? std::string_view() : tail.substr(second + 1)},
-          {"previous", previous},
-          {"line", line},
-          {"column", column},
-          {"ok", ok}};
+  const std::size_t dot = std::min(rest.find('.'), rest.size());
+  const std::string_view tail = rest.substr(std::min(dot + 1, rest.size()));
+  const std::size_t second = std::min(tail.find('.'), tail.size());
+  json.begin_object().member("text", text).member("from", rest.substr(0, dot));
+  json.member("output", tail.substr(0, second)).member("element", tail.substr(std::min(second + 1, tail.size())));
+  json.member("previous", previous).member("line", line).member("column", column).member("ok", ok).end_object();
 }
 
-Json value_json(const Parameters& parameters, const ParameterDescriptor& parameter) {
+void write_value(JsonText& json, const Parameters& parameters, const ParameterDescriptor& parameter) {
   switch (parameter.type) {
     case ParameterType::Real:
-      return parameters.real(parameter.name);
+      json.value(parameters.real(parameter.name));
+      break;
     case ParameterType::Integer:
-      return parameters.integer(parameter.name);
+      json.value(parameters.integer(parameter.name));
+      break;
     case ParameterType::Boolean:
-      return parameters.boolean(parameter.name);
+      json.value(parameters.boolean(parameter.name));
+      break;
     case ParameterType::Choice:
-      return parameters.choice(parameter.name);
+      json.value(parameters.choice(parameter.name));
+      break;
     case ParameterType::Word:
-      return parameters.word(parameter.name);
-    case ParameterType::Reals: {
-      const auto values = parameters.reals(parameter.name);
-      return std::vector<double>(values.begin(), values.end());
-    }
+      json.value(parameters.word(parameter.name));
+      break;
+    case ParameterType::Reals:
+      json.begin_list();
+      for (const double value : parameters.reals(parameter.name)) json.value(value);
+      json.end_list();
+      break;
   }
-  return nullptr;
 }
 
-Json inputs_json(const ComponentModel& component) {
-  Json inputs = Json::array();
+void write_inputs(JsonText& json, const ComponentModel& component) {
+  json.key("inputs").begin_list();
   for (const Wire& wire : component.wires) {
-    Json wires = Json::array();
+    const PortDescriptor& port = component.descriptor->ports[static_cast<std::size_t>(wire.port)];
+    json.begin_object().member("port", port.name).key("wires").begin_list();
     for (const Source& source : wire.sources) {
       const bool ok = source.kind != Source::Kind::Unresolved;
-      wires.push_back(wire_json(source.text, source.place.line, source.place.column, ok));
+      write_wire(json, source.text, source.place.line, source.place.column, ok);
     }
-    const PortDescriptor& port = component.descriptor->ports[static_cast<std::size_t>(wire.port)];
-    inputs.push_back({{"port", port.name}, {"wires", std::move(wires)}});
+    json.end_list().end_object();
   }
-  return inputs;
+  json.end_list();
+}
+
+template <class Texts>
+void write_output(JsonText& json, std::string_view name, std::string_view unit, ValueType type, const Texts& elements) {
+  json.begin_object().member("name", name).member("unit", unit).member("type", name_of(type));
+  write_texts(json, "elements", elements);
+  json.end_object();
 }
 
 /// Of a sensation whose channel is unknown still its one output, so that its wires have an end.
-Json outputs_json(const ComponentModel& component) {
-  Json outputs = Json::array();
+void write_outputs(JsonText& json, const ComponentModel& component) {
+  json.key("outputs").begin_list();
   for (const OutputShape& output : component.outputs) {
-    outputs.push_back(
-        {{"name", output.name}, {"unit", output.unit}, {"type", name_of(output.type)}, {"elements", output.elements}});
+    write_output(json, output.name, output.unit, output.type, output.elements);
   }
-  if (!outputs.empty()) return outputs;
-  if (component.descriptor == nullptr) {
-    outputs.push_back({{"name", ""}, {"unit", ""}, {"type", "real"}, {"elements", Json::array()}});
-    return outputs;
+  if (component.outputs.empty() && component.descriptor == nullptr) {
+    write_output(json, "", "", ValueType::Real, std::vector<std::string>{});
+  } else if (component.outputs.empty()) {
+    for (const PortDescriptor& port : component.descriptor->ports) {
+      if (port.role != PortRole::Output && port.role != PortRole::Appraisal) continue;
+      write_output(json, port.name, port.unit, port.type, port.elements);
+    }
   }
-  for (const PortDescriptor& port : component.descriptor->ports) {
-    if (port.role != PortRole::Output && port.role != PortRole::Appraisal) continue;
-    outputs.push_back(
-        {{"name", port.name}, {"unit", port.unit}, {"type", name_of(port.type)}, {"elements", port.elements}});
-  }
-  return outputs;
+  json.end_list();
 }
 
 /// Every key of a component with its place, those of sub-sections included.
@@ -124,23 +132,32 @@ std::vector<Key> keys_of(const Drawing& drawing, const ComponentSource& source) 
   return keys;
 }
 
-class ComponentJson {
+bool is_structure(const std::string& key) {
+  return key == "id" || key == "kind" || key == "command" || key == "channel" || key == "in" || key.starts_with("in.");
+}
+
+class ComponentWriter {
  public:
-  ComponentJson(const Drawing& drawing, std::string_view text) : drawing_(drawing), text_(text) {
+  ComponentWriter(JsonText& json, const Drawing& drawing, std::string_view text)
+      : json_(json), drawing_(drawing), text_(text) {
     for (const ComponentModel& component : drawing.model.components) by_line_.emplace(component.place.line, &component);
   }
 
-  Json list() {
-    Json components = Json::array();
+  void write() {
+    json_.key("components").begin_list();
     for (const ComponentSource& source : drawing_.sources) {
       const ComponentModel* model = model_of(source);
-      components.push_back(model != nullptr ? understood(*model, &source) : misread(source));
-      if (model != nullptr) by_line_.erase(model->place.line);
+      if (model != nullptr) {
+        write_understood(*model, &source);
+        by_line_.erase(model->place.line);
+      } else {
+        write_misread(source);
+      }
     }
     for (const ComponentModel& component : drawing_.model.components) {  // written in a list of inline tables
-      if (by_line_.contains(component.place.line)) components.push_back(understood(component, nullptr));
+      if (by_line_.contains(component.place.line)) write_understood(component, nullptr);
     }
-    return components;
+    json_.end_list();
   }
 
  private:
@@ -151,73 +168,83 @@ class ComponentJson {
     return found != by_line_.end() ? found->second : nullptr;
   }
 
-  Json head(const std::string& id, std::string_view component_class, std::string_view kind, int line,
-            bool editable) const {
-    Json json = {{"id", id}, {"class", component_class}, {"kind", kind}, {"line", line}, {"editable", editable}};
+  void write_head(const std::string& id, std::string_view component_class, std::string_view kind, int line,
+                  bool editable) {
+    json_.begin_object().member("id", id).member("class", component_class).member("kind", kind);
+    json_.member("line", line).member("editable", editable).key("position");
     const auto at = drawing_.layout.find(id);
-    json["position"] = at != drawing_.layout.end() ? Json{at->second.first, at->second.second} : Json();
-    return json;
-  }
-
-  Json understood(const ComponentModel& component, const ComponentSource* source) const {
-    const Descriptor* kind = component.descriptor;
-    Json json = head(component.id, name_of(component.component_class), kind != nullptr ? kind->name : "",
-                     component.place.line, source != nullptr);
-    json["channel"] = component.channel;
-    json["command"] = component.command;
-    json["inputs"] = inputs_json(component);
-    json["outputs"] = outputs_json(component);
-    json["parameters"] = Json::array();
-    json["unknown"] = Json::array();
-    if (source == nullptr || kind == nullptr) return json;
-    for (const Key& key : keys_of(drawing_, *source)) {
-      if (const ParameterDescriptor* parameter = kind->parameter(key.name)) {
-        json["parameters"].push_back(
-            {{"name", key.name}, {"value", value_json(component.parameters, *parameter)}, {"line", key.member->line}});
-      } else if (key.name == "tolerance") {
-        json["parameters"].push_back({{"name", key.name}, {"value", component.tolerance}, {"line", key.member->line}});
-      } else if (key.name == "preemption") {
-        json["parameters"].push_back({{"name", key.name}, {"value", component.preemption}, {"line", key.member->line}});
-      } else if (!known(key.name)) {
-        json["unknown"].push_back({{"key", key.name}, {"text", key.member->value.of(text_)}});
-      }
+    if (at != drawing_.layout.end()) {
+      json_.begin_list().value(at->second.first).value(at->second.second).end_list();
+    } else {
+      json_.null();
     }
-    return json;
   }
 
-  static bool known(const std::string& key) {
-    return key == "id" || key == "kind" || key == "command" || key == "channel" || key == "in" ||
-           key.starts_with("in.");
+  void write_understood(const ComponentModel& component, const ComponentSource* source) {
+    const Descriptor* kind = component.descriptor;
+    write_head(component.id, name_of(component.component_class), kind != nullptr ? kind->name : "",
+               component.place.line, source != nullptr);
+    json_.member("channel", component.channel).member("command", component.command);
+    write_inputs(json_, component);
+    write_outputs(json_, component);
+    const std::vector<Key> keys = source != nullptr ? keys_of(drawing_, *source) : std::vector<Key>{};
+    json_.key("parameters").begin_list();
+    for (const Key& key : keys) write_parameter(component, key);
+    json_.end_list().key("unknown").begin_list();
+    for (const Key& key : keys) {
+      const bool parameter = kind != nullptr && kind->parameter(key.name) != nullptr;
+      if (!parameter && !is_common(component, key.name) && !is_structure(key.name)) write_unknown(key);
+    }
+    json_.end_list().end_object();
+  }
+
+  static bool is_common(const ComponentModel& component, const std::string& key) {
+    return component.component_class == ComponentClass::Acting && (key == "tolerance" || key == "preemption");
+  }
+
+  void write_parameter(const ComponentModel& component, const Key& key) {
+    const ParameterDescriptor* parameter =
+        component.descriptor != nullptr ? component.descriptor->parameter(key.name) : nullptr;
+    if (parameter == nullptr && !is_common(component, key.name)) return;
+    json_.begin_object().member("name", key.name).key("value");
+    if (parameter != nullptr) {
+      write_value(json_, component.parameters, *parameter);
+    } else if (key.name == "tolerance") {
+      json_.value(component.tolerance);
+    } else {
+      json_.value(component.preemption);
+    }
+    json_.member("line", key.member->line).end_object();
+  }
+
+  void write_unknown(const Key& key) {
+    json_.begin_object().member("key", key.name).member("text", key.member->value.of(text_)).end_object();
   }
 
   /// Of an unknown kind: its wires as they stand, all else as text.
-  Json misread(const ComponentSource& source) const {
-    std::string kind;
-    Json inputs = Json::array(), unknown = Json::array();
-    for (const Key& key : keys_of(drawing_, source)) {
-      const MemberSource& member = *key.member;
-      if (key.name == "kind") kind = unquoted(member.value.of(text_));
-      if (key.name.starts_with("in.")) {
-        Json wires = Json::array();
-        for (const Region& one : strings_in(text_, member.value)) {
-          wires.push_back(wire_json(unquoted(one.of(text_)), member.line, 0, false));
-        }
-        inputs.push_back({{"port", key.name.substr(3)}, {"wires", std::move(wires)}});
-      } else if (!known(key.name)) {
-        unknown.push_back({{"key", key.name}, {"text", member.value.of(text_)}});
+  void write_misread(const ComponentSource& source) {
+    const std::vector<Key> keys = keys_of(drawing_, source);
+    const auto kind = std::find_if(keys.begin(), keys.end(), [](const Key& key) { return key.name == "kind"; });
+    write_head(source.id, source.component_class, kind != keys.end() ? unquoted(kind->member->value.of(text_)) : "",
+               drawing_.map.sections[source.sections.front()].line, true);
+    json_.member("channel", "").member("command", "").key("inputs").begin_list();
+    for (const Key& key : keys) {
+      if (!key.name.starts_with("in.")) continue;
+      json_.begin_object().member("port", key.name.substr(3)).key("wires").begin_list();
+      for (const Region& one : strings_in(text_, key.member->value)) {
+        write_wire(json_, unquoted(one.of(text_)), key.member->line, 0, false);
       }
+      json_.end_list().end_object();
     }
-    const int line = drawing_.map.sections[source.sections.front()].line;
-    Json json = head(source.id, source.component_class, kind, line, true);
-    json["channel"] = "";
-    json["command"] = "";
-    json["inputs"] = std::move(inputs);
-    json["outputs"] = Json::array();
-    json["parameters"] = Json::array();
-    json["unknown"] = std::move(unknown);
-    return json;
+    json_.end_list().key("outputs").begin_list().end_list().key("parameters").begin_list().end_list();
+    json_.key("unknown").begin_list();
+    for (const Key& key : keys) {
+      if (!is_structure(key.name)) write_unknown(key);
+    }
+    json_.end_list().end_object();
   }
 
+  JsonText& json_;
   const Drawing& drawing_;
   std::string_view text_;
   std::unordered_map<int, const ComponentModel*> by_line_;
@@ -225,21 +252,20 @@ class ComponentJson {
 
 }  // namespace
 
-Json drawing_json(const Drawing& drawing, std::string_view text, Language language) {
-  Json json = {{"name", drawing.model.name}, {"tick_s", drawing.model.tick_s}, {"robot", robot_json(drawing)}};
-  json["components"] = ComponentJson(drawing, text).list();
-  json["problems"] = Json::array();
+std::string drawing_json(const Drawing& drawing, std::string_view text, Language language) {
+  JsonText json;
+  json.begin_object().member("name", drawing.model.name).member("tick_s", drawing.model.tick_s);
+  write_robot(json, drawing);
+  ComponentWriter(json, drawing, text).write();
+  json.key("problems").begin_list();
   for (const DrawingProblem& problem : drawing.problems) {
-    json["problems"].push_back({{"code", name_of(problem.error.code)},
-                                {"message", worded(problem.error.message, language)},
-                                {"line", problem.error.place.line},
-                                {"column", problem.error.place.column},
-                                {"component", problem.component},
-                                {"port", problem.port()},
-                                {"key", problem.key}});
+    json.begin_object().member("code", name_of(problem.error.code));
+    json.member("message", worded(problem.error.message, language));
+    json.member("line", problem.error.place.line).member("column", problem.error.place.column);
+    json.member("component", problem.component).member("port", problem.port()).member("key", problem.key).end_object();
   }
-  json["runnable"] = drawing.problems.empty();
-  return json;
+  json.end_list().member("runnable", drawing.problems.empty()).end_object();
+  return json.take();
 }
 
 }  // namespace ganglion::studio

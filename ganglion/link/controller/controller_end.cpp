@@ -1,0 +1,255 @@
+#include "ganglion/link/controller/controller_end.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "ganglion/base/expects.h"
+#include "ganglion/base/text.h"
+
+namespace ganglion::link {
+namespace {
+
+constexpr std::size_t kMaxEvents = 100;  // kept until somebody takes them
+constexpr double kBusy_s = 2.5;
+constexpr double kInf = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+ControllerEnd::ControllerEnd(ControllerEndConfig config)
+    : config_(std::move(config)), reader_(config_.carrier), writer_(config_.carrier, config_.encoding) {}
+
+void ControllerEnd::connected(double now_s) {
+  reader_ = FrameReader(config_.carrier);
+  out_.clear();
+  connected_ = true;
+  greeted_ = described_ = false;
+  heard_s_ = beat_s_ = now_s;
+  ask_again(now_s);
+}
+
+void ControllerEnd::disconnected(double) {
+  if (connected_ && !token_.empty()) ++statistics_.reconnections;
+  connected_ = false;
+  out_.clear();
+}
+
+void ControllerEnd::greet(double now_s) { want(Wanted::Greeting, now_s); }
+
+void ControllerEnd::reset(std::uint64_t seed, std::uint32_t episode, double now_s) {
+  reset_.set_seed(seed);
+  reset_.set_episode(episode);
+  want(Wanted::ResetEcho, now_s);
+}
+
+void ControllerEnd::act(std::span<const ActFrame> frames, double step_s, double now_s) {
+  const bool lock_step = config_.pace == wire::LOCK_STEP;
+  act_.set_tick(sense_.tick());
+  act_.set_step_s(lock_step ? step_s : 0);
+  write_acts(frames, config_.floats, act_);
+  wanted_tick_ = sense_.tick() + 1;
+  if (lock_step) {
+    want(Wanted::Answer, now_s);
+  } else if (greeted_) {
+    send(act_);
+    sent_s_ = now_s;
+  }
+}
+
+void ControllerEnd::await_sense(double now_s) {
+  if (!taken_) return;
+  wanted_tick_ = sense_.tick() + 1;
+  want(Wanted::NewerSense, now_s);
+}
+
+void ControllerEnd::bye(const std::string& reason) {
+  if (!connected_) return;
+  wire::Bye message;
+  message.set_reason(reason);
+  send(message);
+}
+
+void ControllerEnd::want(Wanted what, double now_s) {
+  expects(done());
+  waiting_for_ = what;
+  asked_s_ = now_s;
+  repeated_ = false;
+  if (connected_) ask_again(now_s);
+}
+
+void ControllerEnd::ask_again(double now_s) {
+  sent_s_ = now_s;
+  if (!greeted_) {
+    wire::Hello hello;
+    hello.set_major(1);
+    hello.set_name(config_.name);
+    hello.set_token(token_);
+    hello.set_last_tick(sense_.tick());
+    hello.set_role(config_.role);
+    hello.set_pace(config_.pace);
+    hello.set_floats(config_.floats);
+    hello.set_truth(config_.truth);
+    return send(hello);
+  }
+  if (waiting_for_ == Wanted::ResetEcho || waiting_for_ == Wanted::ResetSense) return send(reset_);
+  if (waiting_for_ == Wanted::Answer) return send(act_);
+}
+
+void ControllerEnd::receive(std::string_view bytes, double now_s) {
+  if (!bytes.empty()) heard_s_ = now_s;
+  reader_.feed(bytes);
+  while (connected_ && !failure_) {
+    const auto payload = reader_.next();
+    if (!payload) return fail(fmt::format("what answers there is no robot link: {}", payload.error().message));
+    if (!*payload) break;
+    const auto kind = decode(**payload, *reader_.encoding(), in_);
+    if (!kind) return fail(fmt::format("the robot sent what cannot be read: {}", kind.error().message));
+    handle(*kind, now_s);
+  }
+}
+
+void ControllerEnd::handle(FrameKind kind, double now_s) {
+  switch (kind) {
+    case FrameKind::Hello:
+      return heard_hello();
+    case FrameKind::Describe:
+      return heard_describe();
+    case FrameKind::Sense:
+      return heard_sense(now_s);
+    case FrameKind::Beat:
+      return heard_beat(now_s);
+    case FrameKind::Reset:
+      if (waiting_for_ == Wanted::ResetEcho) waiting_for_ = Wanted::ResetSense;
+      return;
+    case FrameKind::Event:
+      if (events_.size() < kMaxEvents) events_.push_back(in_.event);
+      return;
+    case FrameKind::Bye:
+      return heard_bye(now_s);
+    default:
+      return;  // of a later minor version, or an echo of our own
+  }
+}
+
+void ControllerEnd::heard_hello() {
+  if (in_.hello.major() != 1) {
+    return fail(fmt::format("the robot speaks protocol {}.{}, we speak 1.0: update the older of the two",
+                            in_.hello.major(), in_.hello.minor()));
+  }
+  if (!token_.empty() && !in_.hello.resumed() && config_.carrier == Carrier::Stream) {
+    return fail("the robot began a new session in the middle of ours: was it started again?");
+  }
+  token_ = in_.hello.token().substr(0, 100);
+  robot_program_ = printable(in_.hello.name(), 100);
+}
+
+void ControllerEnd::heard_bye(double now_s) {
+  // The place may still be held for a connection that broke a moment ago: our own, or that of a run just killed.
+  if (in_.bye.code() == wire::BUSY && now_s - asked_s_ < kBusy_s) return disconnected(now_s);
+  const std::string reason = printable(in_.bye.reason(), 500);
+  fail(fmt::format("the robot said goodbye: {}", reason.empty() ? "without a reason" : reason));
+}
+
+void ControllerEnd::heard_describe() {
+  describe_.Swap(&in_.describe);
+  described_ = true;
+}
+
+void ControllerEnd::heard_sense(double now_s) {
+  if (!described_) return;  // of an earlier connection over the same line
+  const std::uint32_t tick = in_.sense.tick();
+  const bool first = !greeted_;
+  greeted_ = true;
+  switch (waiting_for_) {
+    case Wanted::Greeting:
+    case Wanted::ResetSense:
+      break;
+    case Wanted::ResetEcho:
+      if (first) ask_again(now_s);
+      return;
+    case Wanted::Answer:
+      if (tick == wanted_tick_) break;
+      if (tick > wanted_tick_) return fail("the robot went on without us: is there another controller?");
+      if (tick + 1 < wanted_tick_ && first) return fail("the robot's time went back: was it started again?");
+      ++statistics_.late;
+      if (first) ask_again(now_s);  // the Act was lost with the connection
+      return;
+    case Wanted::NewerSense:
+      if (tick < wanted_tick_) {
+        ++statistics_.late;
+        return;
+      }
+      break;
+    case Wanted::Nothing:
+      if (config_.pace == wire::LOCK_STEP || tick <= sense_.tick()) return;
+      if (!taken_) ++statistics_.late;  // the one before
+      break;
+  }
+  if (config_.pace == wire::FREE_RUNNING && waiting_for_ != Wanted::Greeting && tick > sense_.tick()) {
+    statistics_.lost += tick - sense_.tick() - 1;
+  }
+  taken_ = false;
+  sense_.Swap(&in_.sense);
+  answered(now_s);
+}
+
+void ControllerEnd::answered(double now_s) {
+  if (waiting_for_ == Wanted::Answer && !repeated_) statistics_.round_trip_s = now_s - sent_s_;
+  waiting_for_ = Wanted::Nothing;
+}
+
+void ControllerEnd::heard_beat(double now_s) {
+  if (!in_.beat.answer()) {
+    in_.beat.set_answer(true);
+    in_.beat.set_time_s(now_s);
+    return send(in_.beat);
+  }
+  if (in_.beat.number() != beat_.number()) return;
+  const double robot_s = in_.beat.time_ms() != 0 ? in_.beat.time_ms() / 1000.0 : in_.beat.time_s();
+  statistics_.clock_offset_s = robot_s - (beat_s_ + now_s) / 2;
+  if (config_.pace == wire::FREE_RUNNING || config_.role == wire::WATCH) statistics_.round_trip_s = now_s - beat_s_;
+  ++beats_answered_;
+}
+
+void ControllerEnd::beat(double now_s) {
+  beat_s_ = now_s;
+  beat_.set_number(beat_.number() + 1);
+  beat_.set_time_s(now_s);
+  send(beat_);
+}
+
+void ControllerEnd::poll(double now_s) {
+  if (failure_) return;
+  statistics_.lost += reader_.take_damaged();
+  if (!done() && now_s >= asked_s_ + config_.patience_s) {
+    return fail(
+        fmt::format("no answer for {:.0f} s: is the robot switched on, and nobody else's?", config_.patience_s));
+  }
+  if (!connected_) return;
+  if (greeted_ && now_s >= beat_s_ + config_.beat_s) beat(now_s);
+  if (done()) return;
+  const bool mute = now_s >= std::max(heard_s_, asked_s_) + config_.silence_s;
+  if (mute && config_.carrier == Carrier::Stream) return disconnected(now_s);
+  if (mute) greeted_ = described_ = false;  // the robot may have been unplugged or started again: ask
+  if (config_.carrier == Carrier::Packets && now_s >= sent_s_ + config_.repeat_s) {
+    ++statistics_.repeated;
+    repeated_ = true;
+    ask_again(now_s);
+  }
+}
+
+double ControllerEnd::due_s() const noexcept {
+  if (done() || failure_) return kInf;
+  double due_s = asked_s_ + config_.patience_s;
+  if (!connected_) return due_s;
+  if (greeted_) due_s = std::min(due_s, beat_s_ + config_.beat_s);
+  return std::min(due_s, config_.carrier == Carrier::Packets ? sent_s_ + config_.repeat_s
+                                                             : std::max(heard_s_, asked_s_) + config_.silence_s);
+}
+
+std::vector<wire::Event> ControllerEnd::take_events() { return std::exchange(events_, {}); }
+
+void ControllerEnd::fail(std::string reason) {
+  if (!failure_) failure_ = Error{ErrorCode::LinkLost, std::move(reason), {}};
+}
+
+}  // namespace ganglion::link

@@ -1,0 +1,169 @@
+#include "ganglion/link/controller/examination.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ganglion/base/text.h"
+#include "ganglion/link/controller/controller_end.h"
+#include "ganglion/link/wire/description.h"
+
+namespace ganglion::link {
+namespace {
+
+constexpr double kPatience_s = 5;
+constexpr int kBeats = 10;
+constexpr std::size_t kRoomBytes = std::size_t{64} << 10;
+constexpr double kSlow_s = 0.1;
+
+using Say = std::function<void(bool good, const std::string& finding)>;
+
+ControllerEndConfig watching(Carrier carrier) {
+  ControllerEndConfig config;
+  config.name = "ganglion doctor";
+  config.carrier = carrier;
+  config.role = wire::WATCH;
+  config.truth = false;
+  config.patience_s = kPatience_s;
+  config.beat_s = 0.05;
+  return config;
+}
+
+/// One look at one robot.
+class Examination {
+ public:
+  Examination(std::unique_ptr<Line> line, const Say& say)
+      : line_(std::move(line)), end_(watching(line_->carrier())), say_(say), room_(kRoomBytes) {}
+
+  bool run() {
+    if (!reach()) return good_;
+    describe();
+    first_frame();
+    answers();
+    end_.bye("seen enough");
+    const auto sent = line_->send(end_.outgoing(), line_->now_s() + 1);
+    static_cast<void>(sent);
+    return good_;
+  }
+
+ private:
+  void tell(bool good, const std::string& finding) {
+    good_ = good_ && good;
+    say_(good, finding);
+  }
+
+  bool reach() {
+    if (const auto reached = line_->connect(line_->now_s() + kPatience_s); !reached) {
+      tell(false, reached.error().message);
+      return false;
+    }
+    tell(true, fmt::format("{} takes connections", line_->address()));
+    end_.greet(line_->now_s());
+    end_.connected(line_->now_s());
+    while (!end_.done() && !end_.failure()) carry();
+    if (end_.failure()) {
+      tell(false, fmt::format("no greeting came to its end: {}. It must answer Hello with Hello, Describe and Sense",
+                              end_.failure()->message));
+      return false;
+    }
+    tell(true, fmt::format("it speaks protocol 1 and calls itself \"{}\"", end_.robot_program()));
+    return true;
+  }
+
+  void describe() {
+    const wire::Describe& told = end_.describe();
+    const auto robot = read_description(told);
+    if (!robot) return tell(false, fmt::format("its description makes no sense: {}", robot.error().message));
+    description_ = *robot;
+    tell(true, fmt::format("it is \"{}\", {} robot{}, {} m long and {} m wide, a tick each {} s", robot->name,
+                           std::max(1u, told.robots()), told.robots() > 1 ? "s" : "", shortest(robot->length_m),
+                           shortest(robot->width_m), shortest(robot->tick_s)));
+    std::vector<std::string> sensations, commands;
+    for (const SensationChannel& channel : robot->sensations) {
+      sensations.push_back(channel.name + (channel.unit.empty() ? "" : " [" + channel.unit + "]"));
+    }
+    for (const CommandChannel& channel : robot->commands) commands.push_back(channel.name);
+    tell(!sensations.empty(),
+         sensations.empty() ? "it senses nothing: fill in Describe.sensations" : "it senses " + join(sensations));
+    tell(!commands.empty(), commands.empty() ? "nothing can be commanded: fill in Describe.commands"
+                                             : "it takes the commands " + join(commands));
+    tell(told.lock_step() || told.free_running(),
+         told.lock_step() && told.free_running() ? "it can go in lock-step and free-running"
+         : told.lock_step()                      ? "it can go in lock-step"
+         : told.free_running()                   ? "it can go free-running"
+                                                 : "it can go at no pace: set lock_step or free_running in Describe");
+  }
+
+  void first_frame() {
+    if (!description_) return;
+    const wire::Sense& sense = end_.sense();
+    std::vector<SenseFrame> frames(std::max(1u, end_.describe().robots()), make_sense_frame(*description_));
+    if (!read_senses(sense, frames)) {
+      return tell(false,
+                  fmt::format("its frames do not fit the description: of {} robots Sense must have {} values, and "
+                              "{} ages or none",
+                              frames.size(), frames.size() * frames.front().values.size(),
+                              frames.size() * frames.front().ages_s.size()));
+    }
+    tell(true, fmt::format("its frames fit the description; it is at tick {}", sense.tick()));
+    for (const SenseFrame& frame : frames) check_values(frame);
+  }
+
+  void check_values(const SenseFrame& frame) {
+    std::size_t n = 0;
+    for (const SensationChannel& channel : description_->sensations) {
+      for (int k = 0; k < channel.size(); ++k) {
+        const double value = frame.values[n++];
+        if (!std::isfinite(value) || (value >= channel.min && value <= channel.max)) continue;
+        tell(false, fmt::format("{} reads {}, outside of its own limits [{}, {}]", channel.name, shortest(value),
+                                shortest(channel.min), shortest(channel.max)));
+      }
+    }
+  }
+
+  void answers() {
+    std::vector<double> round_trips_s;
+    const double until_s = line_->now_s() + kPatience_s;
+    while (static_cast<int>(round_trips_s.size()) < kBeats && line_->now_s() < until_s && !end_.failure()) {
+      const std::uint32_t before = end_.beats_answered();
+      carry();
+      if (end_.beats_answered() != before) round_trips_s.push_back(end_.statistics().round_trip_s);
+    }
+    if (round_trips_s.empty()) {
+      return tell(false, "it answers no heartbeat: send every Beat back with answer = true and its number");
+    }
+    std::sort(round_trips_s.begin(), round_trips_s.end());
+    const double median_s = round_trips_s[round_trips_s.size() / 2];
+    tell(median_s < kSlow_s, fmt::format("it answers within {:.2f} ms (the slowest of {}: {:.2f} ms){}", median_s * 1e3,
+                                         round_trips_s.size(), round_trips_s.back() * 1e3,
+                                         median_s < kSlow_s ? "" : ": too slow for a tick of 0.1 s"));
+    const auto lost = end_.statistics().lost;
+    if (lost > 0) tell(false, fmt::format("{} damaged frames: check cable and baud rate", lost));
+  }
+
+  /// Bytes there and back, for a moment.
+  void carry() {
+    if (end_.wants_connection()) return end_.fail("the connection broke");
+    if (!end_.outgoing().empty()) {
+      const bool sent = line_->send(end_.outgoing(), line_->now_s() + 1).has_value();
+      end_.outgoing().clear();
+      if (!sent) return end_.disconnected(line_->now_s());
+    }
+    const auto got = line_->receive(room_, std::min(end_.due_s(), line_->now_s() + 0.05));
+    if (!got) return end_.disconnected(line_->now_s());
+    if (*got > 0) end_.receive({room_.data(), *got}, line_->now_s());
+    end_.poll(line_->now_s());
+  }
+
+  std::unique_ptr<Line> line_;
+  ControllerEnd end_;
+  const Say& say_;
+  std::vector<char> room_;
+  std::optional<RobotDescription> description_;
+  bool good_ = true;
+};
+
+}  // namespace
+
+bool examine(std::unique_ptr<Line> line, const Say& say) { return Examination(std::move(line), say).run(); }
+
+}  // namespace ganglion::link

@@ -1,0 +1,190 @@
+#include "ganglion/link/controller/remote_application.h"
+
+#include <algorithm>
+
+#include "ganglion/base/expects.h"
+#include "ganglion/base/hash.h"
+
+namespace ganglion::link {
+namespace {
+
+constexpr double kRetry_s = 0.1;
+constexpr double kStuck_s = 3;  // the other side takes nothing
+constexpr std::size_t kRoomBytes = std::size_t{64} << 10;
+
+}  // namespace
+
+RemoteApplication::RemoteApplication(std::unique_ptr<Line> line, const RobotDescription& file, int robots,
+                                     const RemoteConfig& config)
+    : line_(std::move(line)), file_(file), robots_(robots), config_(config), end_(config.end), room_(kRoomBytes) {}
+
+RemoteApplication::~RemoteApplication() {
+  end_.bye("the run is over");
+  if (!end_.outgoing().empty()) {
+    const auto sent = line_->send(end_.outgoing(), line_->now_s() + 1);
+    static_cast<void>(sent);  // who is not there any more needs no goodbye
+  }
+  line_->close();
+}
+
+Result<std::unique_ptr<RemoteApplication>> RemoteApplication::connect(std::unique_ptr<Line> line,
+                                                                      const RobotDescription& file, int robots,
+                                                                      const RemoteConfig& config) {
+  RemoteConfig mine = config;
+  mine.end.carrier = line->carrier();
+  std::unique_ptr<RemoteApplication> made(new RemoteApplication(std::move(line), file, robots, mine));
+  if (auto greeted = made->greet(); !greeted) return tl::unexpected<Error>(greeted.error());
+  if (auto compared = made->compare(); !compared) return tl::unexpected<Error>(compared.error());
+  return made;
+}
+
+Result<void> RemoteApplication::greet() {
+  const double begun_s = line_->now_s();
+  for (;;) {
+    const auto reached = line_->connect(std::max(begun_s + config_.reach_s, line_->now_s() + kStuck_s));
+    if (reached) break;
+    const bool stop = config_.stop && config_.stop();
+    if (line_->now_s() >= begun_s + config_.reach_s || stop) return reached;
+    line_->wait_until(line_->now_s() + kRetry_s);
+  }
+  end_.greet(line_->now_s());
+  end_.connected(line_->now_s());
+  await();
+  if (failure() != nullptr) return tl::unexpected<Error>(error());
+  return {};
+}
+
+Result<void> RemoteApplication::compare() {
+  const wire::Describe& describe = end_.describe();
+  auto robot = read_description(describe);
+  if (!robot) {
+    return fail(ErrorCode::LinkLost, "{}: what the robot says of itself makes no sense: {}", line_->address(),
+                robot.error().message);
+  }
+  const int robots = std::max(1, static_cast<int>(describe.robots()));
+  if (robots != robots_) {
+    return fail(ErrorCode::LinkLost, "{}: there are {} robots, the experiment has {}: set application.robots = {}",
+                line_->address(), robots, robots_, robots);
+  }
+  differences_ = link::differences(file_, *robot);
+  if (std::any_of(differences_.begin(), differences_.end(), [](const Difference& one) { return one.grave; })) {
+    return fail(ErrorCode::LinkLost, "{}: this is not the robot the controller was drawn for:\n{}", line_->address(),
+                text_of(differences_));
+  }
+  map_.emplace(file_, *robot);
+  sense_.assign(static_cast<std::size_t>(robots_), make_sense_frame(*robot));
+  act_.assign(static_cast<std::size_t>(robots_), make_act_frame(*robot));
+  if (describe.truth() && config_.end.truth) witness_ = std::make_unique<RemoteWitness>(describe);
+  take_sense(true);
+  if (failure() != nullptr) return tl::unexpected<Error>(error());
+  return {};
+}
+
+Result<void> RemoteApplication::reset(std::uint64_t seed, std::uint32_t episode) {
+  if (failure() != nullptr) return tl::unexpected<Error>(error());
+  end_.reset(seed, episode, line_->now_s());
+  await();
+  take_sense(true);
+  if (failure() != nullptr) return tl::unexpected<Error>(error());
+  return {};
+}
+
+void RemoteApplication::sense(std::span<SenseFrame> frames) noexcept {
+  expects(frames.size() == sense_.size());
+  if (config_.end.pace == wire::FREE_RUNNING && failure() == nullptr) {
+    drain();  // the newest one counts
+    end_.await_sense(line_->now_s());
+    await();
+    take_sense(false);
+  }
+  for (std::size_t n = 0; n < frames.size(); ++n) map_->to_file(sense_[n], frames[n]);
+}
+
+void RemoteApplication::step(std::span<const ActFrame> frames, double step_s) noexcept {
+  expects(frames.size() == act_.size());
+  if (failure() != nullptr) return;
+  for (std::size_t n = 0; n < frames.size(); ++n) map_->to_robot(frames[n], act_[n]);
+  end_.act(act_, step_s, line_->now_s());
+  if (config_.end.pace == wire::FREE_RUNNING) return flush();
+  await();
+  take_sense(false);
+}
+
+void RemoteApplication::take_sense(bool first) noexcept {
+  if (failure() != nullptr) return;
+  const wire::Sense& message = end_.sense();
+  end_.take_sense();
+  if (!read_senses(message, sense_)) {
+    const SenseFrame& one = sense_.front();
+    return end_.fail(fmt::format("a Sense of {} robots must have {} values and {} ages (or none), as described",
+                                 robots_, sense_.size() * one.values.size(), sense_.size() * one.ages_s.size()));
+  }
+  if (witness_ == nullptr) return;
+  if (auto taken = witness_->take(message, first); !taken) end_.fail(taken.error().message);
+}
+
+void RemoteApplication::await() noexcept {
+  do {
+    if (end_.wants_connection() && !reconnect()) {
+      end_.poll(line_->now_s());
+      continue;
+    }
+    flush();
+    if (end_.done() || failure() != nullptr || end_.wants_connection()) continue;
+    const auto got = line_->receive(room_, end_.due_s());
+    const double now_s = line_->now_s();
+    if (!got) {
+      end_.disconnected(now_s);
+    } else if (*got > 0) {
+      end_.receive({room_.data(), *got}, now_s);
+    }
+    end_.poll(now_s);
+  } while (!end_.done() && failure() == nullptr);
+  if (failure() != nullptr) line_->close();
+}
+
+void RemoteApplication::flush() noexcept {
+  std::string& out = end_.outgoing();
+  if (out.empty()) return;
+  const auto sent = line_->send(out, line_->now_s() + kStuck_s);
+  out.clear();
+  if (!sent) end_.disconnected(line_->now_s());
+}
+
+void RemoteApplication::drain() noexcept {
+  while (!end_.wants_connection() && failure() == nullptr) {
+    const auto got = line_->receive(room_, line_->now_s());
+    if (!got) return end_.disconnected(line_->now_s());
+    if (*got == 0) return;
+    end_.receive({room_.data(), *got}, line_->now_s());
+  }
+}
+
+bool RemoteApplication::reconnect() noexcept {
+  if (config_.stop && config_.stop()) {
+    end_.fail("interrupted while the connection was broken");
+    return false;
+  }
+  line_->close();
+  line_->wait_until(tried_s_ + kRetry_s);
+  tried_s_ = line_->now_s();
+  if (!line_->connect(tried_s_ + kStuck_s)) return false;
+  end_.connected(line_->now_s());
+  return true;
+}
+
+Error RemoteApplication::error() const {
+  Error error = *end_.failure();
+  error.message = fmt::format("{}: {}", line_->address(), error.message);
+  return error;
+}
+
+std::string text_of(const std::vector<Difference>& differences) {
+  std::string text;
+  for (const Difference& one : differences) {
+    text += fmt::format("{}{}{}{}", text.empty() ? "" : "\n", one.channel, one.channel.empty() ? "" : ": ", one.text);
+  }
+  return text;
+}
+
+}  // namespace ganglion::link

@@ -1,0 +1,57 @@
+#include "ganglion/link/net/address.h"
+
+#include <charconv>
+
+#include "ganglion/base/text.h"
+
+namespace ganglion::link {
+namespace {
+
+constexpr std::string_view kTcp = "tcp://", kSerial = "serial://", kBaud = "?baud=";
+
+template <class Number>
+bool read_number(std::string_view text, Number& number) noexcept {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc{} && end == text.data() + text.size();
+}
+
+Result<Address> parse_tcp(std::string_view text) {
+  Address address;
+  const std::size_t colon = text.rfind(':');
+  if (colon == std::string_view::npos || colon == 0 || !read_number(text.substr(colon + 1), address.port)) {
+    return fail(ErrorCode::BadParameter,
+                "\"{}\" is no address: write tcp://HOST:PORT, as in tcp://127.0.0.1:7007, or "
+                "serial:///dev/ttyUSB0?baud=115200",
+                printable(text, 200));
+  }
+  std::string_view host = text.substr(0, colon);
+  if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);
+  address.host = host;
+  address.text = fmt::format("tcp://{}", text);
+  return address;
+}
+
+Result<Address> parse_serial(std::string_view text) {
+  Address address;
+  address.kind = Address::Kind::Serial;
+  const std::size_t question = text.find('?');
+  address.device = text.substr(0, question);
+  const std::string_view option = question == std::string_view::npos ? "" : text.substr(question);
+  const bool good =
+      option.empty() || (option.starts_with(kBaud) && read_number(option.substr(kBaud.size()), address.baud));
+  if (!good || !address.device.starts_with('/') || address.baud == 0) {
+    return fail(ErrorCode::BadParameter, "\"{}\" is no serial line: write serial:///dev/ttyUSB0?baud=115200",
+                printable(text, 200));
+  }
+  address.text = fmt::format("serial://{}?baud={}", address.device, address.baud);
+  return address;
+}
+
+}  // namespace
+
+Result<Address> parse_address(const std::string& text) {
+  if (text.starts_with(kSerial)) return parse_serial(std::string_view(text).substr(kSerial.size()));
+  return parse_tcp(text.starts_with(kTcp) ? std::string_view(text).substr(kTcp.size()) : std::string_view(text));
+}
+
+}  // namespace ganglion::link

@@ -1,0 +1,141 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <thread>
+
+#include "ganglion/base/file.h"
+#include "ganglion/link/net/lines.h"
+#include "ganglion/link/net/program.h"
+#include "ganglion/link/net/server.h"
+#include "ganglion/link/testing/bench.h"
+
+namespace ganglion::link {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(Address, IsReadAsPeopleWriteIt) {
+  EXPECT_EQ(parse_address("tcp://127.0.0.1:7007")->host, "127.0.0.1");
+  EXPECT_EQ(parse_address("robot.local:7007")->text, "tcp://robot.local:7007");
+  EXPECT_EQ(parse_address("tcp://[::1]:80")->host, "::1");
+  EXPECT_EQ(parse_address("serial:///dev/ttyUSB0?baud=9600")->baud, 9600u);
+  EXPECT_EQ(parse_address("serial:///dev/ttyACM0")->baud, 115'200u);
+  for (const char* wrong : {"", "robot", ":7007", "tcp://a:70000", "tcp://a:", "serial://ttyUSB0",
+                            "serial:///dev/x?speed=1", "serial:///dev/x?baud=0"}) {
+    EXPECT_FALSE(parse_address(wrong)) << wrong;
+  }
+}
+
+/// A robot that listens on a port of this machine, served by a thread of its own.
+class Served {
+ public:
+  Served() : end_(robot_, nullptr, config()) {
+    auto server = Server::listen(end_, *parse_address("127.0.0.1:0"));
+    EXPECT_TRUE(server) << server.error().message;
+    server_ = std::move(*server);
+    thread_ = std::jthread([this] { server_->serve([this] { return stop_.load(); }, "the test is over"); });
+  }
+  ~Served() { stop(); }
+  void stop() {
+    stop_ = true;
+    if (thread_.joinable()) thread_.join();
+  }
+  std::unique_ptr<Line> line() const { return make_line(server_->address()); }
+  NotebookRobot& robot() { return robot_; }
+
+ private:
+  static RobotEndConfig config() {
+    RobotEndConfig config;
+    config.token = random_token;
+    return config;
+  }
+  NotebookRobot robot_;
+  RobotEnd end_;
+  std::unique_ptr<Server> server_;
+  std::atomic<bool> stop_ = false;
+  std::jthread thread_;
+};
+
+TEST(Server, CarriesASessionOverTcp) {
+  NotebookRobot alone;
+  const auto expected = drive(alone, 300);
+  for (const Encoding encoding : {Encoding::Binary, Encoding::Json}) {
+    Served served;
+    RemoteConfig config;
+    config.end.encoding = encoding;
+    auto remote = RemoteApplication::connect(served.line(), served.robot().description(), 1, config);
+    ASSERT_TRUE(remote) << remote.error().message;
+    EXPECT_EQ(drive(**remote, 300).size(), expected.size());
+    remote->reset();
+    served.stop();
+    EXPECT_EQ(served.robot().done(), alone.done());
+  }
+}
+
+/// What a connection hears until it is closed, or nothing comes for two seconds.
+std::string heard(Line& line) {
+  std::string all;
+  std::vector<char> room(4096);
+  for (;;) {
+    const auto got = line.receive(room, line.now_s() + 2);
+    if (!got || *got == 0) return all;
+    all.append(room.data(), *got);
+  }
+}
+
+TEST(Server, TellsManyStrangersWhyAndGoesOn) {
+  Served served;
+  const auto remote = RemoteApplication::connect(served.line(), served.robot().description(), 1, {});
+  ASSERT_TRUE(remote) << remote.error().message;
+  std::vector<std::unique_ptr<Line>> strangers;
+  for (int n = 0; n < 400; ++n) {  // more than may connect; descriptors of both ends are in this process
+    strangers.push_back(served.line());
+    ASSERT_TRUE(strangers.back()->connect(steady_s() + 5));
+  }
+  EXPECT_TRUE(strangers[0]->send(std::string("\0\x7F\xFF\xFF", 4), steady_s() + 1));
+  EXPECT_EQ(drive(**remote, 50).size() % 50, 0u);
+  EXPECT_EQ((*remote)->failure(), nullptr);
+  EXPECT_NE(heard(*strangers[0]).find("announces 8388607 bytes; the limit is 4096"), std::string::npos);
+  EXPECT_NE(heard(*strangers[399]).find("no more than 256 connections"), std::string::npos);
+}
+
+TEST(Server, SaysGoodbyeWhenItEnds) {
+  Served served;
+  const auto remote = RemoteApplication::connect(served.line(), served.robot().description(), 1, {});
+  ASSERT_TRUE(remote);
+  drive(**remote, 10);
+  served.stop();
+  const std::vector<ActFrame> act = {make_act_frame((*remote)->description())};
+  (*remote)->step(act, 0.1);
+  ASSERT_NE((*remote)->failure(), nullptr);
+  EXPECT_NE((*remote)->failure()->message.find("the test is over"), std::string::npos);
+}
+
+TEST(TcpLine, SaysWhatToDoWhereNobodyListens) {
+  const auto line = make_line(*parse_address(fmt::format("127.0.0.1:{}", free_port().value())));
+  const auto reached = line->connect(steady_s() + 5);
+  ASSERT_FALSE(reached);
+  EXPECT_NE(reached.error().message.find("ganglion sim EXPERIMENT --listen"), std::string::npos);
+}
+
+TEST(Program, IsToldItsPortAndEndsWithItsOwner) {
+  const fs::path output = fs::temp_directory_path() / fmt::format("ganglion_program_test_{}.log", ::getpid());
+  {
+    auto program = Program::start({"sh", "-c", "echo {port} $GANGLION_PORT; pwd; exec sleep 1000"}, "/", 4711, output);
+    ASSERT_TRUE(program) << program.error().message;
+    const double until_s = steady_s() + 10;
+    while (program->last_words().find('/') == std::string::npos && steady_s() < until_s) std::this_thread::yield();
+    EXPECT_EQ(program->last_words(), "4711 4711\n/\n");
+    EXPECT_FALSE(program->ended());
+  }
+  EXPECT_EQ(*read_file(output), "4711 4711\n/\n");
+  fs::remove(output);
+  const auto missing = Program::start({"no-such-program-of-ours"}, "/", 1, output);
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().code, ErrorCode::NotFound);
+  fs::remove(output);
+}
+
+}  // namespace
+}  // namespace ganglion::link

@@ -1,0 +1,226 @@
+#include "ganglion/link/robot/robot_end.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "ganglion/base/expects.h"
+#include "ganglion/base/text.h"
+
+namespace ganglion::link {
+namespace {
+
+constexpr std::size_t kEnoughPendingBytes = std::size_t{64} << 10;  // then a slow reader misses frames
+constexpr int kRefusedAtOnce = 8;
+constexpr std::size_t kMaxPendingBytes = std::size_t{3} << 20;  // then it is dropped
+constexpr double kInf = std::numeric_limits<double>::infinity();
+
+/// As it may stand in a message: what somebody sent may be quoted in it.
+std::string plain(std::string_view reason) {
+  std::string text = printable(reason, 500);
+  for (char& byte : text) {
+    if (static_cast<unsigned char>(byte) >= 0x80) byte = '?';
+  }
+  return text;
+}
+
+}  // namespace
+
+RobotEnd::RobotEnd(Application& application, const sim::Witness* witness, RobotEndConfig config)
+    : config_(std::move(config)), robot_(application, witness) {
+  expects(config_.token != nullptr);
+}
+
+RobotEnd::PeerId RobotEnd::open(Carrier carrier, std::string name, double now_s) {
+  const PeerId id = next_id_++;
+  Peer& peer = peers_.try_emplace(id, id, carrier, std::move(name), now_s).first->second;
+  if (peers_.size() > config_.max_peers) {
+    refuse(peer, wire::TOO_MANY, fmt::format("no more than {} connections; try again later", config_.max_peers));
+  }
+  return id;
+}
+
+void RobotEnd::receive(PeerId id, std::string_view bytes, double now_s) {
+  const auto found = peers_.find(id);
+  if (found == peers_.end()) return;
+  Peer& peer = found->second;
+  if (session_ && session_->peer == id) session_->heard_s = now_s;
+  constexpr std::size_t kPiece = std::size_t{64} << 10;
+  while (!bytes.empty() && peer.state != Peer::State::Closing && peer.state != Peer::State::Gone) {
+    peer.reader.feed(bytes.substr(0, kPiece));
+    bytes.remove_prefix(std::min(bytes.size(), kPiece));
+    read(id, peer, now_s);
+  }
+}
+
+void RobotEnd::read(PeerId id, Peer& peer, double now_s) {
+  while (peer.state != Peer::State::Closing && peer.state != Peer::State::Gone) {
+    const auto payload = peer.reader.next();
+    if (!payload) return refuse(peer, wire::BROKEN, payload.error().message);
+    if (!*payload) return;
+    const auto kind = decode(**payload, *peer.reader.encoding(), in_);
+    if (!kind) {
+      refuse(peer, wire::BROKEN, kind.error().message);
+    } else {
+      handle(*kind, id, peer, now_s);
+    }
+  }
+}
+
+void RobotEnd::handle(FrameKind kind, PeerId id, Peer& peer, double now_s) {
+  if (kind == FrameKind::Hello) return greet(id, peer, now_s);
+  if (kind == FrameKind::Unknown) return;
+  if (!peer.accepted()) {
+    // On a serial line, what is left of an earlier connection.
+    if (peer.carrier == Carrier::Stream) {
+      refuse(peer, wire::BROKEN, fmt::format("say Hello before {}", name_of(kind)));
+    }
+    return;
+  }
+  switch (kind) {
+    case FrameKind::Beat:
+      if (in_.beat.answer()) return;
+      beat_.set_number(in_.beat.number());
+      beat_.set_answer(true);
+      beat_.set_time_s(now_s);
+      return send(peer, beat_);
+    case FrameKind::Bye:
+      if (peer.state == Peer::State::Commanding) end_session(fmt::format("{} said bye", session_->name));
+      peer.state = peer.carrier == Carrier::Stream ? Peer::State::Closing : Peer::State::New;
+      return stir(peer);
+    case FrameKind::Act:
+    case FrameKind::Step:
+    case FrameKind::Reset:
+      if (peer.state == Peer::State::Commanding) return command(kind, peer, now_s);
+      return refuse(peer, wire::BROKEN, fmt::format("who watches sends no {}", name_of(kind)));
+    default:
+      return refuse(peer, wire::BROKEN, fmt::format("{} is for the robot to send", name_of(kind)));
+  }
+}
+
+void RobotEnd::watch() {
+  for (auto& [id, peer] : peers_) {
+    if (peer.state == Peer::State::Watching) send_sense(peer, false);
+  }
+}
+
+void RobotEnd::send_sense(Peer& peer, bool everything) {
+  const bool awaited = peer.state == Peer::State::Commanding && session_->pace == wire::LOCK_STEP;
+  if (!awaited && !everything && peer.pending() > kEnoughPendingBytes) {
+    ++peer.skipped;
+    return;
+  }
+  robot_.write(peer.floats, sense_);
+  if (everything) peer.told.clear();
+  if (peer.truth) {
+    robot_.write_truths(peer.told, sense_);
+  } else {
+    sense_.clear_truths();
+    sense_.mutable_movers()->Clear();
+  }
+  send(peer, sense_);
+}
+
+void RobotEnd::check_sent(Peer& peer, const Result<void>& written) {
+  if (!written) return refuse(peer, wire::REFUSED, written.error().message + ": let fewer robots share the link");
+  if (peer.pending() <= kMaxPendingBytes) return;
+  log(fmt::format("{} does not read what it is sent: closed", peer.name));
+  peer.state = Peer::State::Gone;
+  stir(peer);
+}
+
+void RobotEnd::refuse(Peer& peer, wire::ByeCode code, const std::string& reason) {
+  if (peer.state == Peer::State::Closing || peer.state == Peer::State::Gone) return;
+  wire::Bye bye;
+  bye.set_code(code);
+  bye.set_reason(plain(reason));
+  const bool commanding = peer.state == Peer::State::Commanding;
+  peer.state = Peer::State::New;
+  // Who has not told an encoding is answered so that a person can read it.
+  if (!peer.writer) peer.writer.emplace(peer.carrier, peer.reader.encoding().value_or(Encoding::Json));
+  send(peer, bye);
+  if (peer.carrier == Carrier::Stream) peer.state = Peer::State::Closing;
+  log(fmt::format("{}: closed: {}", peer.name, bye.reason()));
+  if (commanding && (code == wire::BROKEN || code == wire::REFUSED)) end_session("it broke the rules of the link");
+}
+
+void RobotEnd::lost(PeerId id, double now_s) {
+  if (session_ && session_->peer == id) {
+    session_->peer.reset();
+    session_->lost_s = now_s;
+    log(fmt::format("{}: connection lost; safe values once its commands run out", session_->name));
+  }
+  peers_.erase(id);
+}
+
+std::string_view RobotEnd::outgoing(PeerId id) const {
+  const auto found = peers_.find(id);
+  return found == peers_.end() ? std::string_view{} : std::string_view(found->second.out).substr(found->second.sent);
+}
+
+void RobotEnd::sent(PeerId id, std::size_t bytes, double now_s) {
+  const auto found = peers_.find(id);
+  if (found == peers_.end()) return;
+  found->second.sent += bytes;
+  if (bytes > 0) found->second.unread_s = now_s;
+}
+
+bool RobotEnd::closing(PeerId id) const {
+  const auto found = peers_.find(id);
+  return found == peers_.end() || found->second.state == Peer::State::Closing;
+}
+
+bool RobotEnd::gone(PeerId id) const {
+  const auto found = peers_.find(id);
+  return found == peers_.end() || found->second.state == Peer::State::Gone;
+}
+
+std::vector<RobotEnd::PeerId> RobotEnd::take_stirred() {
+  for (const PeerId id : stirred_) {
+    if (const auto found = peers_.find(id); found != peers_.end()) found->second.stirred = false;
+  }
+  return std::exchange(stirred_, {});
+}
+
+void RobotEnd::stir(Peer& peer) {
+  if (!peer.stirred) stirred_.push_back(peer.id);
+  peer.stirred = true;
+}
+
+void RobotEnd::poll(double now_s) {
+  int refused = 0;
+  for (auto& [id, peer] : peers_) {
+    if (peer.carrier == Carrier::Packets) continue;
+    const bool late = peer.state == Peer::State::New && now_s >= peer.opened_s + config_.handshake_s;
+    if (late && refused++ < kRefusedAtOnce) {  // the rest in the next call, so that a tick need not wait
+      refuse(peer, wire::TOO_SLOW, fmt::format("no Hello within {} s", shortest(config_.handshake_s)));
+    }
+    if (peer.pending() == 0) peer.unread_s = now_s;
+    if (now_s < peer.unread_s + config_.unread_s) continue;
+    peer.state = Peer::State::Gone;
+    stir(peer);
+  }
+  if (!running_) return;
+  const double tick_s = robot_.description().tick_s;
+  if (now_s - next_tick_s_ > 1) next_tick_s_ = now_s;  // the program was stopped, or cannot keep up
+  for (; next_tick_s_ <= now_s; next_tick_s_ += tick_s) run_tick(now_s);
+}
+
+double RobotEnd::due_s() const {
+  double due_s = running_ ? next_tick_s_ : kInf;
+  for (const auto& [id, peer] : peers_) {
+    if (peer.state == Peer::State::New && peer.carrier == Carrier::Stream) {
+      due_s = std::min(due_s, peer.opened_s + config_.handshake_s);
+    }
+    if (peer.pending() > 0) due_s = std::min(due_s, peer.unread_s + config_.unread_s);
+  }
+  return due_s;
+}
+
+void RobotEnd::shut_down(const std::string& reason, double) {
+  for (auto& [id, peer] : peers_) refuse(peer, wire::SHUTDOWN, reason);
+  if (session_) end_session(reason);
+  running_ = false;
+}
+
+}  // namespace ganglion::link

@@ -1,0 +1,207 @@
+#include <algorithm>
+#include <limits>
+
+#include "ganglion/base/text.h"
+#include "ganglion/link/robot/robot_end.h"
+
+// Who commands, and what becomes of the commands.
+namespace ganglion::link {
+namespace {
+
+constexpr double kInf = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+void RobotEnd::greet(PeerId id, Peer& peer, double now_s) {
+  if (peer.accepted() && peer.carrier == Carrier::Stream) {
+    return refuse(peer, wire::BROKEN, "Hello is said once in a connection");
+  }
+  peer.writer.emplace(peer.carrier, *peer.reader.encoding());
+  peer.floats = in_.hello.floats();
+  peer.truth = in_.hello.truth();
+  peer.told.clear();
+  const bool resumed = !in_.hello.token().empty();
+  if (!admit(id, peer, now_s)) return;
+  wire::Hello answer;
+  answer.set_major(1);
+  answer.set_name(config_.name);
+  answer.set_last_tick(robot_.tick());
+  answer.set_resumed(resumed && peer.state == Peer::State::Commanding);
+  if (peer.state == Peer::State::Commanding) answer.set_token(session_->token);
+  send(peer, answer);
+  wire::Describe describe = robot_.describe();
+  describe.set_lock_step(config_.lock_step);
+  describe.set_free_running(config_.free_running);
+  send(peer, describe);
+  send_sense(peer, true);
+}
+
+bool RobotEnd::admit(PeerId id, Peer& peer, double now_s) {
+  if (in_.hello.major() != 1) {
+    refuse(peer, wire::VERSION,
+           fmt::format("this robot speaks protocol 1.0, not {}.{}: use a controller of the same major version",
+                       in_.hello.major(), in_.hello.minor()));
+    return false;
+  }
+  if (in_.hello.role() == wire::WATCH) {
+    const auto watching = std::count_if(peers_.begin(), peers_.end(),
+                                        [](const auto& one) { return one.second.state == Peer::State::Watching; });
+    if (static_cast<std::size_t>(watching) >= config_.max_watchers) {
+      refuse(peer, wire::TOO_MANY, fmt::format("no more than {} may watch", config_.max_watchers));
+      return false;
+    }
+    peer.state = Peer::State::Watching;
+    return true;
+  }
+  const bool able = in_.hello.pace() == wire::LOCK_STEP ? config_.lock_step : config_.free_running;
+  if (!able) {
+    refuse(peer, wire::REFUSED,
+           fmt::format("this robot cannot go {}; ask for the other pace",
+                       in_.hello.pace() == wire::LOCK_STEP ? "in lock-step" : "free-running"));
+    return false;
+  }
+  return in_.hello.token().empty() ? begin(id, peer, now_s) : resume(id, peer, now_s);
+}
+
+bool RobotEnd::resume(PeerId id, Peer& peer, double now_s) {
+  if (!session_ || session_->token != in_.hello.token()) {
+    refuse(peer, wire::NO_SESSION,
+           session_ ? fmt::format("that session is over: {} commands the robot now", session_->name)
+                    : std::string("that session is over: the robot was started again, or told goodbye"));
+    return false;
+  }
+  if (session_->peer && session_->peer != id) {
+    refuse(peers_.at(*session_->peer), wire::REPLACED, "the session goes on over another connection");
+  }
+  session_->peer = id;
+  session_->heard_s = now_s;
+  peer.state = Peer::State::Commanding;
+  peer.reader.limit(kMaxFrameBytes);
+  log(fmt::format("{} is back from {}", session_->name, peer.name));
+  return true;
+}
+
+bool RobotEnd::place_free(double now_s) const noexcept {
+  if (!session_) return true;
+  if (!session_->peer) return now_s - session_->lost_s >= config_.free_after_s;
+  return now_s - session_->heard_s >= (session_->commanded ? config_.silent_after_s : config_.free_after_s);
+}
+
+bool RobotEnd::begin(PeerId id, Peer& peer, double now_s) {
+  const bool same = session_ && session_->peer == id;  // a serial line that was unplugged
+  if (!same && !place_free(now_s)) {
+    refuse(peer, wire::BUSY,
+           fmt::format("{} commands this robot: watch (role WATCH), or come back when it is done", session_->name));
+    return false;
+  }
+  if (!same && session_ && session_->peer) {
+    refuse(peers_.at(*session_->peer), wire::REPLACED, "silent for too long: another controller took the place");
+  }
+  Session session;
+  session.token = config_.token();
+  session.name = in_.hello.name().empty() ? peer.name : printable(in_.hello.name(), 100);
+  session.pace = in_.hello.pace();
+  session.peer = id;
+  session.heard_s = now_s;
+  session_ = std::move(session);
+  peer.state = Peer::State::Commanding;
+  peer.reader.limit(kMaxFrameBytes);
+  robot_.take_safe_values();
+  if (session_->pace == wire::FREE_RUNNING && !running_) next_tick_s_ = now_s + robot_.description().tick_s;
+  running_ = session_->pace == wire::FREE_RUNNING;
+  log(fmt::format("{} commands from {}", session_->name, peer.name));
+  return true;
+}
+
+void RobotEnd::command(FrameKind kind, Peer& peer, double now_s) {
+  session_->commanded = true;
+  if (kind == FrameKind::Reset) return reset(peer);
+  if (kind == FrameKind::Act) return act(peer, now_s);
+  if (session_->pace == wire::FREE_RUNNING) {
+    return refuse(peer, wire::BROKEN, "Step is for lock-step: a free-running robot has a clock of its own");
+  }
+  step(peer);
+}
+
+bool RobotEnd::due(std::uint32_t tick, double& step_s, Peer& peer) {
+  if (tick < robot_.tick()) {  // it was carried out, the answer got lost
+    send_sense(peer, true);
+    return false;
+  }
+  if (tick > robot_.tick()) {
+    refuse(peer, wire::BROKEN, fmt::format("a command for tick {}, but the robot is at {}", tick, robot_.tick()));
+    return false;
+  }
+  if (step_s == 0) step_s = robot_.description().tick_s;
+  if (!(step_s > 0 && step_s <= 3600)) {
+    refuse(peer, wire::BROKEN, fmt::format("step_s is {}, must be > 0 and at most 3600", shortest(step_s)));
+    return false;
+  }
+  return true;
+}
+
+void RobotEnd::act(Peer& peer, double now_s) {
+  double step_s = in_.act.step_s();
+  const bool lock_step = session_->pace == wire::LOCK_STEP;
+  if (lock_step && !due(in_.act.tick(), step_s, peer)) return;
+  if (!lock_step && session_->acted && in_.act.tick() <= *session_->acted) return;
+  if (auto taken = robot_.take(in_.act, lock_step ? kInf : config_.max_ttl_s); !taken) {
+    return refuse(peer, wire::BROKEN, taken.error().message);
+  }
+  session_->acted = in_.act.tick();
+  session_->aged_s = now_s;
+  session_->fresh = true;
+  if (!lock_step) return;
+  robot_.step(step_s);
+  send_sense(peer, false);
+  watch();
+}
+
+void RobotEnd::step(Peer& peer) {
+  double step_s = in_.step.step_s();
+  const std::uint32_t ticks = in_.step.ticks();
+  if (ticks < 1 || ticks > 1000) {
+    return refuse(peer, wire::BROKEN, fmt::format("Step asks for {} ticks, must be 1 to 1000", ticks));
+  }
+  if (!due(in_.step.tick(), step_s, peer)) return;
+  sense_.clear_earlier();
+  for (std::uint32_t n = 1; n <= ticks; ++n) {
+    robot_.step(step_s);
+    if (n < ticks) robot_.write(peer.floats, *sense_.add_earlier());
+    watch();
+  }
+  send_sense(peer, false);
+  sense_.clear_earlier();
+}
+
+void RobotEnd::reset(Peer& peer) {
+  if (auto done = robot_.reset(in_.reset.seed(), in_.reset.episode()); !done) {
+    return refuse(peer, wire::REFUSED, fmt::format("the robot cannot be reset: {}", done.error().message));
+  }
+  session_->acted.reset();
+  for (auto& [id, other] : peers_) other.told.clear();
+  send(peer, in_.reset);
+  send_sense(peer, true);
+  watch();
+}
+
+void RobotEnd::run_tick(double now_s) {
+  const double tick_s = robot_.description().tick_s;
+  if (session_ && session_->acted) {
+    robot_.age_commands(std::max(0.0, now_s - session_->aged_s), session_->fresh ? tick_s : 0);
+    session_->aged_s = now_s + tick_s;  // the step itself takes its part
+    session_->fresh = false;
+  }
+  robot_.step(tick_s);
+  if (session_ && session_->peer) send_sense(peers_.at(*session_->peer), false);
+  watch();
+}
+
+void RobotEnd::end_session(const std::string& why) {
+  robot_.take_safe_values();
+  log(fmt::format("session ended: {}", why));
+  session_.reset();
+  ++sessions_ended_;
+}
+
+}  // namespace ganglion::link

@@ -1,0 +1,220 @@
+#include "ganglion/link/wire/description.h"
+
+#include <cmath>
+#include <set>
+
+#include "ganglion/base/text.h"
+
+namespace ganglion::link {
+namespace {
+
+constexpr double kInf = std::numeric_limits<double>::infinity();
+
+void write_sensation(const SensationChannel& channel, wire::Sensation& out) {
+  out.set_name(channel.name);
+  out.set_unit(channel.unit);
+  out.set_type(static_cast<wire::ValueType>(channel.type));
+  for (const std::string& element : channel.elements) out.add_elements(element);
+  if (channel.min > -kInf) out.set_min(channel.min);
+  if (channel.max < kInf) out.set_max(channel.max);
+  out.set_period_s(channel.period_s);
+  out.set_x_m(channel.mount.position.x);
+  out.set_y_m(channel.mount.position.y);
+  out.set_yaw_rad(channel.mount.yaw.rad());
+  if (!std::isnan(channel.dead)) out.set_dead(channel.dead);
+}
+
+bool good_name(const std::string& name) noexcept { return !name.empty() && name.size() <= kMaxNameBytes; }
+
+Result<SensationChannel> read_sensation(const wire::Sensation& message) {
+  const std::string name = printable(message.name(), kMaxNameBytes);
+  SensationChannel channel;
+  channel.name = message.name();
+  channel.unit = message.unit();
+  if (channel.unit.size() > kMaxNameBytes || message.elements_size() > kMaxElements) {
+    return fail(ErrorCode::TooLarge, "sensation \"{}\": at most {} elements, and {} bytes of unit", name, kMaxElements,
+                kMaxNameBytes);
+  }
+  if (!wire::ValueType_IsValid(message.type())) {
+    return fail(ErrorCode::BadParameter, "sensation \"{}\": no such type: {}", name, static_cast<int>(message.type()));
+  }
+  channel.type = static_cast<ValueType>(message.type());
+  channel.elements.assign(message.elements().begin(), message.elements().end());
+  channel.min = message.has_min() ? message.min() : -kInf;
+  channel.max = message.has_max() ? message.max() : kInf;
+  channel.period_s = message.period_s();
+  channel.mount = {{message.x_m(), message.y_m()}, Angle::from_rad(message.yaw_rad())};
+  if (message.has_dead()) channel.dead = message.dead();
+  const bool finite = std::isfinite(message.x_m()) && std::isfinite(message.y_m()) && std::isfinite(message.yaw_rad());
+  if (!finite || !(channel.min <= channel.max) || !(channel.period_s >= 0)) {
+    return fail(ErrorCode::BadParameter,
+                "sensation \"{}\": min must be <= max, period_s >= 0, and its place on the body finite", name);
+  }
+  return channel;
+}
+
+Result<CommandChannel> read_command(const wire::Command& message) {
+  const std::string name = printable(message.name(), kMaxNameBytes);
+  if (message.elements_size() < 1 || message.elements_size() > kMaxElements) {
+    return fail(ErrorCode::BadParameter, "command \"{}\": 1 to {} elements, not {}", name, kMaxElements,
+                message.elements_size());
+  }
+  CommandChannel channel{message.name(), {}};
+  for (const wire::CommandElement& one : message.elements()) {
+    const bool finite = std::isfinite(one.min()) && std::isfinite(one.max());
+    if (!finite || !(one.min() <= one.safe() && one.safe() <= one.max())) {
+      return fail(ErrorCode::BadParameter, "command \"{}\", element \"{}\": min <= safe <= max must hold, all finite",
+                  name, printable(one.name(), kMaxNameBytes));
+    }
+    channel.elements.push_back({one.name(), one.unit(), one.min(), one.max(), one.safe()});
+  }
+  return channel;
+}
+
+template <class Read, class List, class Into>
+Result<void> read_channels(std::string_view what, const List& list, Read&& read, Into& into) {
+  if (list.size() > kMaxChannels) {
+    return fail(ErrorCode::TooLarge, "{} {}s; the limit is {}", list.size(), what, kMaxChannels);
+  }
+  std::set<std::string> names;
+  for (const auto& message : list) {
+    if (!good_name(message.name()) || !names.insert(message.name()).second) {
+      return fail(ErrorCode::BadParameter, "{} \"{}\": names have 1 to {} bytes and stand there once", what,
+                  printable(message.name(), kMaxNameBytes), kMaxNameBytes);
+    }
+    auto channel = read(message);
+    if (!channel) return tl::unexpected<Error>(channel.error());
+    into.push_back(std::move(*channel));
+  }
+  return {};
+}
+
+std::vector<std::string> element_names(const SensationChannel& channel) { return channel.elements; }
+std::vector<std::string> element_names(const CommandChannel& channel) {
+  std::vector<std::string> names;
+  for (const CommandElement& element : channel.elements) names.push_back(element.name);
+  return names;
+}
+
+std::vector<std::string> names_of(const auto& channels) {
+  std::vector<std::string> names;
+  for (const auto& channel : channels) names.push_back(channel.name);
+  return names;
+}
+
+/// One list of differences as it grows.
+class Comparison {
+ public:
+  void add(const std::string& channel, bool grave, std::string text) {
+    list_.push_back({channel, std::move(text), grave});
+  }
+  void text(const std::string& channel, std::string_view what, const std::string& robot, const std::string& file) {
+    if (robot != file) add(channel, true, fmt::format("{}: the robot has \"{}\", the file \"{}\"", what, robot, file));
+  }
+  void number(const std::string& channel, std::string_view what, double robot, double file) {
+    if (robot == file || (std::isnan(robot) && std::isnan(file))) return;
+    add(channel, false, fmt::format("{}: the robot has {}, the file {}", what, shortest(robot), shortest(file)));
+  }
+  /// The robot's channel of that name; null, and noted, where there is none.
+  template <class Channel>
+  const Channel* partner(std::string_view what, const Channel& file, const std::vector<Channel>& robot) {
+    for (const Channel& channel : robot) {
+      if (channel.name != file.name) continue;
+      text(file.name, "elements", join(element_names(channel)), join(element_names(file)));
+      return &channel;
+    }
+    add(file.name, true, fmt::format("the robot has no such {}{}", what, suggestion(file.name, names_of(robot))));
+    return nullptr;
+  }
+  std::vector<Difference> take() { return std::move(list_); }
+
+ private:
+  std::vector<Difference> list_;
+};
+
+void compare_sensations(const RobotDescription& file, const RobotDescription& robot, Comparison& found) {
+  for (const SensationChannel& wanted : file.sensations) {
+    const SensationChannel* offered = found.partner("sensation", wanted, robot.sensations);
+    if (offered == nullptr) continue;
+    found.text(wanted.name, "unit", offered->unit, wanted.unit);
+    found.text(wanted.name, "type", std::string(name_of(offered->type)), std::string(name_of(wanted.type)));
+    found.number(wanted.name, "min", offered->min, wanted.min);
+    found.number(wanted.name, "max", offered->max, wanted.max);
+    found.number(wanted.name, "period_s", offered->period_s, wanted.period_s);
+    found.number(wanted.name, "x_m", offered->mount.position.x, wanted.mount.position.x);
+    found.number(wanted.name, "y_m", offered->mount.position.y, wanted.mount.position.y);
+    found.number(wanted.name, "yaw_rad", offered->mount.yaw.rad(), wanted.mount.yaw.rad());
+  }
+}
+
+void compare_commands(const RobotDescription& file, const RobotDescription& robot, Comparison& found) {
+  for (const CommandChannel& wanted : file.commands) {
+    const CommandChannel* offered = found.partner("command", wanted, robot.commands);
+    if (offered == nullptr || offered->elements.size() != wanted.elements.size()) continue;
+    for (std::size_t n = 0; n < wanted.elements.size(); ++n) {
+      const CommandElement &mine = wanted.elements[n], &theirs = offered->elements[n];
+      found.text(wanted.name, "unit of " + mine.name, theirs.unit, mine.unit);
+      found.number(wanted.name, "min of " + mine.name, theirs.min, mine.min);
+      found.number(wanted.name, "max of " + mine.name, theirs.max, mine.max);
+      found.number(wanted.name, "safe value of " + mine.name, theirs.safe, mine.safe);
+    }
+  }
+}
+
+}  // namespace
+
+void write_description(const RobotDescription& description, wire::Describe& out) {
+  out.set_name(description.name);
+  out.set_tick_s(description.tick_s);
+  out.set_length_m(description.length_m);
+  out.set_width_m(description.width_m);
+  for (const SensationChannel& channel : description.sensations) write_sensation(channel, *out.add_sensations());
+  for (const CommandChannel& channel : description.commands) {
+    wire::Command& command = *out.add_commands();
+    command.set_name(channel.name);
+    for (const CommandElement& element : channel.elements) {
+      wire::CommandElement& one = *command.add_elements();
+      one.set_name(element.name);
+      one.set_unit(element.unit);
+      one.set_min(element.min);
+      one.set_max(element.max);
+      one.set_safe(element.safe);
+    }
+  }
+}
+
+Result<RobotDescription> read_description(const wire::Describe& message) {
+  RobotDescription description;
+  description.name = printable(message.name(), kMaxNameBytes);
+  description.length_m = message.length_m();
+  description.width_m = message.width_m();
+  description.tick_s = message.tick_s();
+  if (!(description.tick_s > 0 && description.tick_s <= 3600)) {
+    return fail(ErrorCode::BadParameter, "tick_s is {}, must be > 0 and at most 3600 s", shortest(message.tick_s()));
+  }
+  if (!(description.length_m >= 0 && description.width_m >= 0)) {
+    return fail(ErrorCode::BadParameter, "length_m and width_m must be >= 0");
+  }
+  if (message.robots() > kMaxRobots) {
+    return fail(ErrorCode::TooLarge, "{} robots; the limit is {}", message.robots(), kMaxRobots);
+  }
+  if (auto read = read_channels("sensation", message.sensations(), read_sensation, description.sensations); !read) {
+    return tl::unexpected<Error>(read.error());
+  }
+  if (auto read = read_channels("command", message.commands(), read_command, description.commands); !read) {
+    return tl::unexpected<Error>(read.error());
+  }
+  return description;
+}
+
+std::vector<Difference> differences(const RobotDescription& file, const RobotDescription& robot) {
+  Comparison found;
+  compare_sensations(file, robot, found);
+  compare_commands(file, robot, found);
+  found.number("", "tick_s", robot.tick_s, file.tick_s);
+  found.number("", "length_m", robot.length_m, file.length_m);
+  found.number("", "width_m", robot.width_m, file.width_m);
+  return found.take();
+}
+
+}  // namespace ganglion::link

@@ -1,0 +1,192 @@
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <stdlib.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <thread>
+
+#include "ganglion/base/file.h"
+#include "ganglion/link/net/lines.h"
+#include "ganglion/link/net/server.h"
+#include "ganglion/record/run_file.h"
+#include "ganglion/run/run_robots.h"
+
+// The same experiment and seed, its robots in this program or at the other end of a link.
+namespace ganglion {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kExperiments = fs::path(GANGLION_SOURCE_DIR) / "experiments";
+
+using Sets = std::vector<std::string>;
+
+Prepared prepared(const char* experiment, const Sets& sets) {
+  std::vector<config::Override> overrides;
+  for (const std::string& text : sets) overrides.push_back(*config::parse_override(text));
+  Problems problems;
+  auto made = prepare(kExperiments / experiment, overrides, problems);
+  EXPECT_EQ(problems.text(), "");
+  return made.value();
+}
+
+/// What `ganglion sim` does, in a thread.
+class Served {
+ public:
+  Served(const Prepared& prepared, const std::string& address)
+      : robots_(RunRobots::simulate(prepared, prepared.ground, {}).value()) {
+    EXPECT_TRUE(robots_.application().reset(99, 0));
+    link::RobotEndConfig config;
+    config.token = link::random_token;
+    end_ = std::make_unique<link::RobotEnd>(robots_.application(), robots_.witness(), config);
+    auto server = link::Server::listen(*end_, *link::parse_address(address));
+    EXPECT_TRUE(server) << server.error().message;
+    server_ = std::move(*server);
+    thread_ = std::jthread([this] { server_->serve([this] { return stop_.load(); }, "the test is over"); });
+  }
+  ~Served() { stop(); }
+  void stop() {
+    stop_ = true;
+    if (thread_.joinable()) thread_.join();
+  }
+  std::string address() const { return server_->address().text; }
+
+ private:
+  RunRobots robots_;
+  std::unique_ptr<link::RobotEnd> end_;
+  std::unique_ptr<link::Server> server_;
+  std::atomic<bool> stop_ = false;
+  std::jthread thread_;
+};
+
+/// Two pseudo-terminals joined back to back: a serial cable.
+class Cable {
+ public:
+  Cable() {
+    for (End& end : ends_) {
+      end.master = ::posix_openpt(O_RDWR | O_NOCTTY);
+      EXPECT_GE(end.master, 0);
+      EXPECT_EQ(::grantpt(end.master) + ::unlockpt(end.master), 0);
+      end.name = ::ptsname(end.master);
+      end.held = ::open(end.name.c_str(), O_RDWR | O_NOCTTY);  // so that the master never sees a hang-up
+      termios raw{};
+      ::tcgetattr(end.held, &raw);
+      ::cfmakeraw(&raw);
+      ::tcsetattr(end.held, TCSANOW, &raw);
+    }
+    thread_ = std::jthread([this](const std::stop_token& stop) { carry(stop); });
+  }
+  ~Cable() {
+    thread_.request_stop();
+    thread_.join();
+    for (const End& end : ends_) {
+      ::close(end.held);
+      ::close(end.master);
+    }
+  }
+  std::string address(int end) const { return "serial://" + ends_[end].name; }
+
+ private:
+  struct End {
+    int master = -1, held = -1;
+    std::string name;
+  };
+  void carry(const std::stop_token& stop) {
+    char room[4096];
+    while (!stop.stop_requested()) {
+      pollfd both[2] = {{ends_[0].master, POLLIN, 0}, {ends_[1].master, POLLIN, 0}};
+      if (::poll(both, 2, 20) <= 0) continue;
+      for (int n = 0; n < 2; ++n) {
+        if ((both[n].revents & POLLIN) == 0) continue;
+        const ssize_t got = ::read(ends_[n].master, room, sizeof room);
+        for (ssize_t at = 0; at < got;) {
+          const ssize_t put = ::write(ends_[1 - n].master, room + at, static_cast<std::size_t>(got - at));
+          if (put > 0) at += put;
+        }
+      }
+    }
+  }
+  End ends_[2];
+  std::jthread thread_;
+};
+
+std::string digest(const Prepared& prepared) {
+  const auto result = run(prepared, {.seed = 5});
+  EXPECT_TRUE(result) << result.error().text();
+  if (!result) return "none";
+  EXPECT_FALSE(result->link_lost) << result->link_lost->message;
+  return result->digest;
+}
+
+void expect_same_over_every_link(const char* experiment, Sets sets) {
+  const Prepared here = prepared(experiment, sets);
+  const std::string expected = digest(here);
+  const auto over = [&](const std::string& address, const char* encoding) {
+    Sets remote = sets;
+    remote.push_back("application.address=" + address);
+    remote.push_back(std::string("application.encoding=") + encoding);
+    return digest(prepared(experiment, remote));
+  };
+  {
+    const Served served(here, "127.0.0.1:0");
+    EXPECT_EQ(over(served.address(), "binary"), expected);
+    EXPECT_EQ(over(served.address(), "json"), expected);
+  }
+  const Cable cable;
+  const Served served(here, cable.address(0));
+  EXPECT_EQ(over(cable.address(1), "binary"), expected);
+  EXPECT_EQ(over(cable.address(1), "json"), expected);
+}
+
+TEST(LinkRun, GivesTheDigestOfARunInProcess) {
+  expect_same_over_every_link("nimrod", {"run.duration_s=30"});
+  expect_same_over_every_link("pathfinder", {"run.duration_s=200"});
+}
+
+TEST(LinkRun, GivesTheDigestOfARunInProcessWithFaultsAndMovers) {
+  expect_same_over_every_link(
+      "pathfinder",
+      {"run.duration_s=100", "application.world=" + (kExperiments / "pathfinder" / "rooms_moving.toml").string()});
+  const fs::path listing = kExperiments / "nimrod" / "controller.listing_raw.toml";
+  expect_same_over_every_link("nimrod",
+                              {"run.duration_s=30", "run.free_ground=false", "controller=" + listing.string()});
+}
+
+TEST(LinkRun, GivesTheDigestOfAHundredRobots) {
+  const fs::path world = fs::temp_directory_path() / fmt::format("ganglion_link_hall_{}.toml", ::getpid());
+  ASSERT_TRUE(write_file(world,
+                         "format = 1\nname = \"hall\"\n[[wall]]\npoints = [[0, 0], [90, 0], [90, 90], [0, 90]]\n"
+                         "closed = true\n"));
+  expect_same_over_every_link("nimrod", {"run.duration_s=5", "run.free_ground=false", "application.robots=100",
+                                         "application.world=" + world.string()});
+  fs::remove(world);
+}
+
+TEST(LinkRun, LeavesAWholeFileWhenTheRobotGoesAway) {
+  const Prepared here = prepared("nimrod", {"run.free_ground=false"});
+  Served served(here, "127.0.0.1:0");
+  const Prepared remote = prepared("nimrod", {"run.free_ground=false", "application.address=" + served.address()});
+  RunOptions options;
+  options.run_file = fs::temp_directory_path() / fmt::format("ganglion_link_lost_{}.mcap", ::getpid());
+  options.progress = [&served, ticks = 0](double) mutable {
+    if (++ticks == 50) served.stop();
+    return true;
+  };
+  const auto result = run(remote, options);
+  ASSERT_TRUE(result) << result.error().text();
+  ASSERT_TRUE(result->link_lost);
+  EXPECT_FALSE(result->success);
+  const auto file = RunFile::read(options.run_file);
+  ASSERT_TRUE(file) << file.error().text();
+  EXPECT_TRUE(file->outcome->reason.starts_with("link lost: ")) << file->outcome->reason;
+  EXPECT_EQ(file->table("/robot0/signals")->rows(), 51u);
+  ASSERT_NE(file->table("/link/signals"), nullptr);
+  EXPECT_GT(file->table("/link/signals")->at(10, 0), 0);  // the round trip [s]
+  fs::remove(options.run_file);
+}
+
+}  // namespace
+}  // namespace ganglion

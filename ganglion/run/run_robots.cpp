@@ -1,0 +1,81 @@
+#include "ganglion/run/run_robots.h"
+
+#include <unistd.h>
+
+#include "ganglion/link/net/lines.h"
+#include "ganglion/run/version.h"
+
+namespace ganglion {
+namespace {
+
+constexpr double kStart_s = 10;  // for a program to listen
+
+std::filesystem::path output_of(const RunOptions& options) {
+  if (options.run_file.empty()) {
+    return std::filesystem::temp_directory_path() / fmt::format("ganglion_program_{}_{}.log", ::getpid(), options.seed);
+  }
+  auto output = options.run_file;
+  return output.replace_extension(".program.log");
+}
+
+link::RemoteConfig config_of(const LinkChoice& choice, const RunOptions& options) {
+  link::RemoteConfig config;
+  config.end.name = fmt::format("ganglion {}", kVersion);
+  config.end.encoding = choice.json ? link::Encoding::Json : link::Encoding::Binary;
+  config.end.pace = choice.free_running ? link::wire::FREE_RUNNING : link::wire::LOCK_STEP;
+  config.stop = options.stop;
+  return config;
+}
+
+}  // namespace
+
+Result<RunRobots> RunRobots::make(const Prepared& prepared, const RunOptions& options) {
+  if (prepared.experiment.link.remote() && !options.in_process) return reach(prepared, options);
+  return simulate(prepared, prepared.ground, {});
+}
+
+Result<RunRobots> RunRobots::simulate(const Prepared& prepared, std::shared_ptr<const sim::Ground> ground,
+                                      const std::vector<Pose2>& starts) {
+  auto simulation = sim::Simulation::make(prepared.simulation(std::move(ground), starts));
+  if (!simulation) return tl::unexpected<Error>(simulation.error());
+  RunRobots robots;
+  robots.witness_ = simulation->get();
+  robots.application_ = std::move(*simulation);
+  return robots;
+}
+
+Result<RunRobots> RunRobots::reach(const Prepared& prepared, const RunOptions& options) {
+  const LinkChoice& choice = prepared.experiment.link;
+  RunRobots robots;
+  link::RemoteConfig config = config_of(choice, options);
+  std::string address = choice.address;
+  if (!choice.program.empty()) {
+    const auto port = link::free_port();
+    if (!port) return tl::unexpected<Error>(port.error());
+    auto program = link::Program::start(choice.program, prepared.experiment.files.experiment.parent_path(), *port,
+                                        output_of(options));
+    if (!program) return tl::unexpected<Error>(program.error());
+    robots.program_ = std::make_unique<link::Program>(std::move(*program));
+    config.reach_s = kStart_s;
+    config.stop = [stop = options.stop, started = robots.program_.get()] {
+      return (stop && stop()) || started->ended();
+    };
+    address = fmt::format("tcp://127.0.0.1:{}", *port);
+  }
+  const auto parsed = link::parse_address(address);
+  if (!parsed) return tl::unexpected<Error>(parsed.error());
+  auto remote = link::RemoteApplication::connect(link::make_line(*parsed), prepared.robot->description,
+                                                 prepared.experiment.robots, config);
+  if (!remote && robots.program_ != nullptr) {
+    return fail(ErrorCode::LinkLost, "{}\n{} said (all of it is in {}):\n{}", remote.error().message,
+                choice.program.front(), robots.program_->output().string(), robots.program_->last_words());
+  }
+  if (!remote) return tl::unexpected<Error>(remote.error());
+  robots.remote_ = remote->get();
+  robots.witness_ = robots.remote_->witness();
+  robots.application_ = std::move(*remote);
+  robots.free_running_ = choice.free_running;
+  return robots;
+}
+
+}  // namespace ganglion

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "ganglion/base/result.h"
+
+namespace ganglion::studio {
+
+/// A text of the folder, as it was read.
+struct OpenedFile {
+  std::string text;
+  std::string hash;
+  struct Draft {
+    std::string text;
+    std::string based_on;
+  };
+  std::optional<Draft> draft;
+};
+
+/// What a save ran into: the file is not what it was.
+struct Conflict {
+  std::string hash;  ///< "" = it is gone.
+  std::string text;
+};
+
+/// Files below one folder, and nothing else: names are relative, with '/', without "..", none begins with a dot, and
+/// no link leads out.
+class Folder {
+ public:
+  /// Fails with NotFound where it is no folder.
+  static Result<Folder> open(const std::filesystem::path& root);
+
+  const std::filesystem::path& root() const noexcept { return root_; }
+  /// Where a name leads; the file itself need not be there. Fails with NotFound for what would lead out.
+  Result<std::filesystem::path> resolve(std::string_view name) const;
+  /// Whether a path lies below, links followed.
+  bool holds(const std::filesystem::path& path) const;
+  /// From the folder on, with '/'; "" for what lies outside.
+  std::string name_of(const std::filesystem::path& path) const;
+
+  /// Texts of at most 4 MiB.
+  Result<OpenedFile> read(std::string_view name) const;
+  /// Writes by renaming, where the file still is what `based_on` says ("" = not there), and removes its draft. Gives
+  /// the new hash, or the conflict. Only .toml and .fll files.
+  Result<tl::expected<std::string, Conflict>> save(std::string_view name, std::string_view text,
+                                                   const std::string& based_on) const;
+  /// Keeps a draft beside the file, by renaming: it survives the end of this program at any moment.
+  Result<void> autosave(std::string_view name, std::string_view text, const std::string& based_on) const;
+  Result<void> discard(std::string_view name) const;
+  bool has_draft(const std::filesystem::path& file) const;
+
+ private:
+  explicit Folder(std::filesystem::path root) : root_(std::move(root)) {}
+  std::filesystem::path root_;  ///< Canonical.
+};
+
+/// By which a page says what text it had; 16 hex digits.
+std::string text_hash(std::string_view text);
+
+}  // namespace ganglion::studio

@@ -1,0 +1,132 @@
+#include "ganglion/studio/folder/listing.h"
+
+#include <cmath>
+
+#include "ganglion/base/file.h"
+#include "ganglion/config/value.h"
+#include "ganglion/record/run_file.h"
+#include "ganglion/run/experiment.h"
+
+namespace ganglion::studio {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostFiles = 20'000;
+constexpr int kDeepest = 8;
+
+std::string text_of(const config::Value& root, std::string_view key) {
+  const config::Value* value = root.find(key);
+  return value != nullptr && value->string() != nullptr ? *value->string() : std::string();
+}
+
+/// What a TOML file is, by what stands in it.
+std::string list_of(const config::Value& root) {
+  const auto has = [&](std::string_view key) { return root.find(key) != nullptr; };
+  if (has("application") || has("controller")) return "experiments";
+  for (const char* key : {"sensation", "sensing", "goal", "acting", "coordinator"}) {
+    if (has(key)) return "controllers";
+  }
+  if (has("body") || has("drive") || has("sensor")) return "robots";
+  for (const char* key : {"wall", "box", "disc", "polygon", "mover", "map", "spawn"}) {
+    if (has(key)) return "worlds";
+  }
+  return "";
+}
+
+Json run_json(const RunSummary& run) {
+  Json measures = Json::object();
+  for (const auto& [name, value] : run.measures) measures[name] = std::isfinite(value) ? Json(value) : Json();
+  return {{"path", run.file},
+          {"name", run.name},
+          {"seed", run.seed},
+          {"finished", run.finished},
+          {"success", run.success},
+          {"reason", run.reason},
+          {"digest", run.digest},
+          {"controller_hash", run.controller_hash},
+          {"recorded_s", run.recorded_s},
+          {"measures", std::move(measures)}};
+}
+
+std::int64_t seconds_of(fs::file_time_type time) {
+  const auto system = std::chrono::file_clock::to_sys(time);
+  return std::chrono::duration_cast<std::chrono::seconds>(system.time_since_epoch()).count();
+}
+
+}  // namespace
+
+Json Listing::read(const fs::path& file, const std::string& name, std::string& list) const {
+  std::error_code error;
+  if (file.extension() == ".mcap") {
+    const auto run = RunFile::read_summary(file, Recover::Yes);
+    if (!run) return {};
+    list = "runs";
+    return run_json(summary_of(*run, name, seconds_of(fs::last_write_time(file, error))));
+  }
+  const auto root = config::load(file);
+  if (!root) {  // a broken drawing is listed all the same: that is where it can be mended
+    list = file.filename().string().starts_with("controller") ? "controllers" : "";
+    return {{"path", name}, {"name", ""}, {"draft", folder_.has_draft(file)}};
+  }
+  list = list_of(*root);
+  Json entry = {{"path", name}, {"name", text_of(*root, "name")}};
+  if (list != "experiments") return entry;
+  Problems problems;
+  const Experiment experiment = read_experiment(file, {}, problems);
+  const auto inside = [&](const fs::path& path) { return path.empty() ? std::string() : folder_.name_of(path); };
+  entry["controller"] = inside(experiment.files.controller);
+  entry["robot"] = inside(experiment.files.robot);
+  entry["world"] = inside(experiment.files.world);
+  entry["duration_s"] = experiment.duration_s;
+  entry["seed"] = experiment.seed;
+  entry["address"] = experiment.link.address;
+  entry["problems"] = problems.size();
+  return entry;
+}
+
+const Listing::Known& Listing::look(const fs::path& file) {
+  std::error_code error;
+  const auto changed = fs::last_write_time(file, error);
+  const auto bytes = fs::file_size(file, error);
+  Known& known = known_[file];
+  if (!known.entry.is_null() && known.changed == changed && known.bytes == bytes) return known;
+  known.changed = changed;
+  known.bytes = bytes;
+  known.list.clear();
+  known.entry = read(file, folder_.name_of(file), known.list);
+  if (known.entry.is_null()) known.entry = Json::object();
+  return known;
+}
+
+Json Listing::json() {
+  Json json = {{"folder", folder_.root().filename().string()}};
+  for (const char* list : {"controllers", "experiments", "worlds", "robots", "runs"}) json[list] = Json::array();
+  std::vector<fs::path> files;
+  std::error_code error;
+  fs::recursive_directory_iterator walk(folder_.root(), fs::directory_options::skip_permission_denied, error);
+  for (; walk != fs::recursive_directory_iterator() && files.size() < kMostFiles; walk.increment(error)) {
+    if (error) break;
+    const fs::path& path = walk->path();
+    const bool hidden = path.filename().string().starts_with('.') || path.filename() == "node_modules";
+    if (walk->is_directory(error) && (hidden || walk.depth() >= kDeepest)) walk.disable_recursion_pending();
+    if (hidden || !walk->is_regular_file(error)) continue;
+    if ((path.extension() == ".toml" || path.extension() == ".mcap") && folder_.holds(path)) files.push_back(path);
+  }
+  std::sort(files.begin(), files.end());
+  for (const fs::path& file : files) {
+    const Known& known = look(file);
+    if (known.list.empty()) continue;
+    Json entry = known.entry;
+    if (known.list == "controllers") entry["draft"] = folder_.has_draft(file);
+    json[known.list].push_back(std::move(entry));
+  }
+  return json;
+}
+
+Json Listing::run(const fs::path& file) {
+  const Known& known = look(file);
+  return known.list == "runs" ? known.entry : Json();
+}
+
+}  // namespace ganglion::studio

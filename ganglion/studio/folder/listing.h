@@ -1,0 +1,38 @@
+#pragma once
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "ganglion/record/catalogue.h"
+#include "ganglion/studio/folder/folder.h"
+
+namespace ganglion::studio {
+
+using Json = nlohmann::ordered_json;
+
+/// What a folder holds for the studio: controllers, experiments, worlds, robots, recorded runs. Remembers what it read
+/// of files that have not changed since.
+class Listing {
+ public:
+  explicit Listing(Folder folder) : folder_(std::move(folder)) {}
+
+  /// docs/studio_api.md, /api/files.
+  Json json();
+  /// Of one run file; null where it is none.
+  Json run(const std::filesystem::path& file);
+
+ private:
+  struct Known {
+    std::filesystem::file_time_type changed;
+    std::uintmax_t bytes = 0;
+    std::string list;  ///< "controllers"...; "" = of no interest.
+    Json entry;
+  };
+  const Known& look(const std::filesystem::path& file);
+  Json read(const std::filesystem::path& file, const std::string& name, std::string& list) const;
+
+  Folder folder_;
+  std::map<std::filesystem::path, Known> known_;
+};
+
+}  // namespace ganglion::studio

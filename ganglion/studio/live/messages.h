@@ -1,0 +1,30 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "ganglion/studio/live/sample.h"
+
+namespace ganglion::studio {
+
+using Json = nlohmann::ordered_json;
+
+/// What becomes of a run's JSON message by its schema: a sample of which the newest counts, or none: an event.
+std::optional<SampleKind> sample_kind_of(std::string_view schema) noexcept;
+
+/// A message that is told once, as the page takes it.
+struct RunEvent {
+  std::string name;  ///< "goal", "log"
+  Json content;
+};
+/// None for what is no event.
+std::optional<RunEvent> event_of(std::string_view topic, std::string_view schema, double time_s, std::string_view json);
+
+/// The text's JSON, or null.
+Json parsed(std::string_view text);
+/// As a text; what is not UTF-8 is replaced.
+std::string dumped(const Json& json);
+
+}  // namespace ganglion::studio

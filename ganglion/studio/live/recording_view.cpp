@@ -1,0 +1,161 @@
+#include "ganglion/studio/live/recording_view.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "ganglion/studio/live/messages.h"
+
+namespace ganglion::studio {
+namespace {
+
+/// A sample and when it was.
+struct Timed {
+  double time_s;
+  std::string bytes;
+};
+
+Json latest_of(const RunFile& file, std::string_view topic) {
+  const auto found = file.json.find(topic);
+  return found != file.json.end() && !found->second.messages.empty() ? parsed(found->second.messages.front().text)
+                                                                     : Json();
+}
+
+Json events_of(const RunFile& file) {
+  std::vector<std::pair<double, Json>> events;
+  for (const auto& [topic, messages] : file.json) {
+    for (const JsonMessage& message : messages.messages) {
+      auto event = event_of(topic, messages.schema_name, message.time_s, message.text);
+      if (!event) continue;
+      event->content["event"] = event->name;
+      events.emplace_back(message.time_s, std::move(event->content));
+    }
+  }
+  std::stable_sort(events.begin(), events.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  Json list = Json::array();
+  for (auto& [time_s, event] : events) list.push_back(std::move(event));
+  return list;
+}
+
+void add_rows(const SignalTable& table, std::uint16_t stream, double from_s, double to_s, std::size_t every,
+              std::vector<Timed>& samples) {
+  for (std::size_t row = 0; row < table.rows(); row += every) {
+    const double time_s = table.times_s[row];
+    if (time_s < from_s || time_s > to_s) continue;
+    const SampleHead head{stream, static_cast<std::uint32_t>(row + 1), time_s};
+    samples.push_back({time_s, row_sample(head, table.ticks[row], table.row(row))});
+  }
+}
+
+void add_grids(const JsonTopic& topic, std::uint16_t stream, double from_s, double to_s, std::vector<Timed>& samples) {
+  GridState grid;
+  std::uint32_t seq = 0, told = 0;
+  for (const JsonMessage& message : topic.messages) {
+    if (message.time_s > to_s) break;
+    if (!grid.take(message.text, ++seq)) continue;
+    const auto next = &message + 1;
+    const bool last_before =
+        message.time_s < from_s && (next == topic.messages.data() + topic.messages.size() || next->time_s > from_s);
+    if (message.time_s < from_s && !last_before) continue;
+    samples.push_back({message.time_s, grid.sample({stream, seq, message.time_s}, told)});
+    told = seq;
+  }
+}
+
+void add_newest(const JsonTopic& topic, SampleKind kind, std::uint16_t stream, double from_s, double to_s,
+                std::vector<Timed>& samples) {
+  for (std::size_t i = 0; i < topic.messages.size(); ++i) {
+    const JsonMessage& message = topic.messages[i];
+    const bool over = i + 1 < topic.messages.size() && topic.messages[i + 1].time_s <= from_s;
+    if (message.time_s > to_s || over) continue;
+    const SampleHead head{stream, static_cast<std::uint32_t>(i + 1), message.time_s};
+    if (kind == SampleKind::Movers) {
+      samples.push_back({message.time_s, movers_sample(head, message.text)});
+    } else if (auto sample = path_sample(head, message.text)) {
+      samples.push_back({message.time_s, std::move(*sample)});
+    }
+  }
+}
+
+std::vector<std::string> layers_of(const JsonTopic& topic) {
+  GridState grid;
+  return !topic.messages.empty() && grid.take(topic.messages.front().text, 1) ? grid.layers()
+                                                                              : std::vector<std::string>{};
+}
+
+}  // namespace
+
+RecordingView::RecordingView(RunFile file) : file_(std::move(file)) {
+  auto stream = static_cast<std::uint16_t>(file_.tables.size());
+  for (const auto& [topic, messages] : file_.json) {
+    if (sample_kind_of(messages.schema_name)) topics_.push_back({++stream, topic, &messages});
+  }
+}
+
+double RecordingView::duration_s() const {
+  double last_s = 0;
+  for (const SignalTable& table : file_.tables) {
+    if (table.rows() > 0) last_s = std::max(last_s, table.times_s.back());
+  }
+  return last_s;
+}
+
+Json RecordingView::head() const {
+  Json streams = Json::array();
+  for (std::size_t i = 0; i < file_.tables.size(); ++i) {
+    Json columns = Json::array();
+    for (const SignalColumn& column : file_.tables[i].columns) {
+      columns.push_back({{"name", column.name}, {"unit", column.unit}});
+    }
+    streams.push_back({{"stream", i + 1},
+                       {"topic", file_.tables[i].topic},
+                       {"kind", "row"},
+                       {"columns", std::move(columns)},
+                       {"layers", Json::array()}});
+  }
+  for (const Topic& topic : topics_) {
+    streams.push_back({{"stream", topic.stream},
+                       {"topic", topic.topic},
+                       {"kind", name_of(*sample_kind_of(topic.messages->schema_name))},
+                       {"columns", Json::array()},
+                       {"layers", layers_of(*topic.messages)}});
+  }
+  return {{"info", latest_of(file_, "/run")}, {"scene", latest_of(file_, "/scene")}, {"streams", std::move(streams)},
+          {"events", events_of(file_)},       {"duration_s", duration_s()},          {"tick_s", file_.info.tick_s},
+          {"damages", file_.damages}};
+}
+
+std::string RecordingView::samples(double from_s, double to_s, std::size_t every) const {
+  std::vector<Timed> samples;
+  for (const Topic& topic : topics_) {
+    const SampleKind kind = *sample_kind_of(topic.messages->schema_name);
+    if (kind == SampleKind::Grid) {
+      add_grids(*topic.messages, topic.stream, from_s, to_s, samples);
+    } else {
+      add_newest(*topic.messages, kind, topic.stream, from_s, to_s, samples);
+    }
+  }
+  for (std::size_t i = 0; i < file_.tables.size(); ++i) {
+    add_rows(file_.tables[i], static_cast<std::uint16_t>(i + 1), from_s, to_s, std::max<std::size_t>(1, every),
+             samples);
+  }
+  std::stable_sort(samples.begin(), samples.end(), [](const Timed& a, const Timed& b) { return a.time_s < b.time_s; });
+  std::string bytes;
+  for (const Timed& sample : samples) {
+    const auto size = static_cast<std::uint32_t>(sample.bytes.size());
+    char length[4];
+    std::memcpy(length, &size, sizeof length);
+    bytes.append(length, sizeof length);
+    bytes += sample.bytes;
+  }
+  return bytes;
+}
+
+std::string RecordingView::controller() const {
+  const mcap::Attachment* manifest = file_.attachment("inputs.json");
+  const Json inputs = manifest != nullptr ? parsed(manifest->bytes) : Json();
+  if (!inputs.is_object() || !inputs.contains("controller") || !inputs["controller"].is_string()) return "";
+  const mcap::Attachment* text = file_.attachment("input/" + inputs["controller"].get<std::string>());
+  return text != nullptr ? std::string(text->bytes) : std::string();
+}
+
+}  // namespace ganglion::studio

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "ganglion/record/run_file.h"
+
+namespace ganglion::studio {
+
+using Json = nlohmann::ordered_json;
+
+/// A recorded run told as a live one is: the same streams, events and samples.
+class RecordingView {
+ public:
+  explicit RecordingView(RunFile file);
+
+  /// docs/studio_api.md, /api/recording/open; without "run".
+  Json head() const;
+  /// Samples with from_s <= t <= to_s in order of time, each behind its length as u32; of rows every nth. Maps begin
+  /// with their whole state at from_s.
+  std::string samples(double from_s, double to_s, std::size_t every) const;
+  /// The controller it was made with; "" where the file does not hold it.
+  std::string controller() const;
+
+ private:
+  struct Topic {
+    std::uint16_t stream;
+    std::string topic;
+    const JsonTopic* messages;
+  };
+  double duration_s() const;
+
+  RunFile file_;
+  std::vector<Topic> topics_;  ///< Of samples that are no rows.
+};
+
+}  // namespace ganglion::studio

@@ -1,0 +1,190 @@
+#include "ganglion/studio/live/run_session.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ganglion/plot/from_run_file.h"
+#include "ganglion/record/run_file.h"
+#include "ganglion/report/report.h"
+
+namespace ganglion::studio {
+namespace {
+
+constexpr auto kMeasure = std::chrono::milliseconds(500);
+
+Json numbers(const std::vector<std::pair<std::string, double>>& measures) {
+  Json json = Json::object();
+  for (const auto& [name, value] : measures) json[name] = std::isfinite(value) ? Json(value) : Json();
+  return json;
+}
+
+/// The report beside the run file. What cannot be drawn is said in the outcome; the run counts all the same.
+std::string write_report(const std::filesystem::path& run_file) {
+  const auto file = RunFile::read(run_file);
+  if (!file) return file.error().text();
+  std::filesystem::path page = run_file;
+  page.replace_extension(".html");
+  const auto written = report::write_report(plot::from_run_file(*file), page);
+  return written ? std::string() : written.error().text();
+}
+
+}  // namespace
+
+Json outcome_json(const RunResult& result, const std::string& file) {
+  return {{"success", result.success},
+          {"reason", result.reason},
+          {"reason_es", result.reason_es},
+          {"digest", result.digest},
+          {"measures", numbers(result.measures)},
+          {"file", file},
+          {"error", result.record_error ? Json(result.record_error->text()) : Json()}};
+}
+
+RunSession::RunSession(std::string id, std::shared_ptr<const Prepared> prepared, RunPlan plan,
+                       std::function<void()> changed)
+    : id_(std::move(id)), prepared_(std::move(prepared)), plan_(std::move(plan)), changed_(std::move(changed)) {
+  paused_ = plan_.paused;
+  thread_ = std::thread([this] { carry_out(); });
+}
+
+RunSession::~RunSession() {
+  stop();
+  thread_.join();
+}
+
+template <class Change>
+bool RunSession::change(Change&& what) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (phase_ == "done") return false;
+    what();
+    due_ = Clock::now();
+  }
+  wake_.notify_all();
+  changed_();
+  return true;
+}
+
+bool RunSession::pause() {
+  return change([this] { paused_ = true, steps_ = 0; });
+}
+bool RunSession::resume() {
+  return change([this] { paused_ = false; });
+}
+bool RunSession::step(std::uint32_t ticks) {
+  return change([&] { paused_ = true, steps_ += ticks; });
+}
+bool RunSession::set_pace(double pace) {
+  return change([&] { plan_.pace = pace; });
+}
+bool RunSession::stop() {
+  return change([this] { stop_ = true; });
+}
+
+bool RunSession::over() const {
+  const std::lock_guard lock(mutex_);
+  return phase_ == "done";
+}
+
+void RunSession::carry_out() {
+  RunOptions options;
+  options.seed = plan_.seed;
+  options.run_file = plan_.run_file;
+  options.watcher = feed_.get();
+  options.progress = [this](double share) { return between_ticks(share); };
+  options.stop = [this] {
+    const std::lock_guard lock(mutex_);
+    return stop_;
+  };
+  options.armed = [this] {
+    feed_->arm();
+    std::unique_lock lock(mutex_);
+    phase_ = "armed";
+    changed_();
+    due_ = measured_at_ = Clock::now();
+    const bool begins = wait(lock);
+    phase_ = "running";
+    changed_();
+    return begins;
+  };
+  const auto result = run(*prepared_, options);
+  while (!feed_->flush()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  conclude(result);
+}
+
+/// Holds the run back while it is paused or ahead of its pace. False: it shall end.
+bool RunSession::wait(std::unique_lock<std::mutex>& lock) {
+  bool told = false;
+  while (!stop_) {
+    if (paused_ && steps_ == 0) {
+      if (!told) changed_();  // it stands still now
+      told = true;
+      wake_.wait(lock);
+      due_ = Clock::now();
+      continue;
+    }
+    if (paused_ || plan_.pace <= 0 || Clock::now() >= due_) break;
+    wake_.wait_until(lock, due_);
+  }
+  if (paused_ && steps_ > 0) --steps_;
+  return !stop_;
+}
+
+bool RunSession::between_ticks(double share) {
+  std::unique_lock lock(mutex_);
+  share_ = share;
+  const auto now = Clock::now();
+  if (now - measured_at_ > kMeasure) {
+    const double wall_s = std::chrono::duration<double>(now - measured_at_).count();
+    speed_ = (share_ - measured_share_) * prepared_->experiment.duration_s / wall_s;
+    measured_at_ = now;
+    measured_share_ = share_;
+    changed_();
+  }
+  if (plan_.pace > 0) {
+    const std::chrono::duration<double> step(prepared_->step_s / plan_.pace);
+    due_ += std::chrono::duration_cast<Clock::duration>(step);
+    due_ = std::max(due_, now - std::chrono::milliseconds(100));  // what was lost to a stall is not run after
+  }
+  return wait(lock);
+}
+
+void RunSession::conclude(const Result<RunResult>& result) {
+  Json outcome;
+  if (result) {
+    outcome = outcome_json(*result, plan_.run_file.empty() ? "" : plan_.run_name);
+    if (!plan_.run_file.empty() && !result->record_error) {
+      if (const std::string problem = write_report(plan_.run_file); !problem.empty()) outcome["error"] = problem;
+    }
+  } else {
+    outcome = {{"success", false}, {"reason", result.error().message}, {"error", result.error().text()}};
+  }
+  {
+    const std::lock_guard lock(mutex_);
+    outcome_ = std::move(outcome);
+    phase_ = "done";
+  }
+  changed_();
+}
+
+Json RunSession::state() const {
+  const std::lock_guard lock(mutex_);
+  const double duration_s = prepared_->experiment.duration_s;
+  const bool held = paused_ && (phase_ == "running" || phase_ == "armed") && steps_ == 0;
+  return {{"state", held && phase_ == "running" ? "paused" : phase_},
+          {"run", id_},
+          {"experiment", plan_.experiment},
+          {"controller", plan_.controller},
+          {"name", prepared_->experiment.name},
+          {"seed", plan_.seed},
+          {"pace", plan_.pace},
+          {"speed", speed_},
+          {"time_s", share_ * duration_s},
+          {"duration_s", duration_s},
+          {"share", share_},
+          {"paused", paused_},
+          {"outcome", outcome_},
+          {"attached", false}};
+}
+
+}  // namespace ganglion::studio

@@ -1,0 +1,65 @@
+#include <filesystem>
+#include <limits>
+
+#include "ganglion/base/file.h"
+#include "ganglion/plot/from_run_file.h"
+#include "ganglion/report/report.h"
+#include "ganglion/studio/server/api.h"
+#include "ganglion/studio/server/guard.h"
+
+namespace ganglion::studio {
+
+/// The run, read whole; the last one stays in memory, for people scrub through it.
+Result<std::shared_ptr<const RecordingView>> Api::view_of(const std::string& name) {
+  const auto path = folder_.resolve(name);
+  if (!path) return tl::unexpected<Error>(path.error());
+  std::error_code error;
+  const auto changed = std::filesystem::last_write_time(*path, error);
+  if (view_ != nullptr && viewed_ == name && viewed_changed_ == changed) return view_;
+  auto file = RunFile::read(*path, Recover::Yes);
+  if (!file) return fail(file.error().code, "\"{}\" {}", name, file.error().message);
+  view_ = std::make_shared<const RecordingView>(std::move(*file));
+  viewed_ = name;
+  viewed_changed_ = changed;
+  return view_;
+}
+
+Reply Api::open_recording(const Ask& ask) {
+  const std::string name = ask.text("path");
+  const auto view = view_of(name);
+  if (!view) return failure(view.error(), ask.language);
+  Json json = (*view)->head();
+  json["run"] = listing_.run(*folder_.resolve(name));
+  return json_reply(json);
+}
+
+Reply Api::recording_samples(const Ask& ask) {
+  const auto view = view_of(ask.text("path"));
+  if (!view) return failure(view.error(), ask.language);
+  constexpr double kEver = std::numeric_limits<double>::max();
+  const double every = std::max(1.0, ask.number("every", 1));
+  return {200, "application/octet-stream",
+          (*view)->samples(ask.number("from_s", -kEver), ask.number("to_s", kEver),
+                           static_cast<std::size_t>(std::min(every, 1e9)))};
+}
+
+Reply Api::recording_report(const Ask& ask) {
+  const std::string name = query_value(ask.call.target, "path").value_or("");
+  const auto path = folder_.resolve(name);
+  if (!path) return failure(path.error(), ask.language);
+  const auto file = RunFile::read(*path, Recover::Yes);
+  if (!file) return failure(file.error(), ask.language);
+  const bool spanish = query_value(ask.call.target, "language") == "es";
+  const auto page =
+      report::report_page(plot::from_run_file(*file), {spanish ? plot::Language::Spanish : plot::Language::English});
+  if (!page) return failure(page.error(), ask.language);
+  return {200, "text/html; charset=utf-8", *page, true};
+}
+
+Reply Api::recording_controller(const Ask& ask) {
+  const auto view = view_of(ask.text("path"));
+  if (!view) return failure(view.error(), ask.language);
+  return json_reply({{"text", (*view)->controller()}});
+}
+
+}  // namespace ganglion::studio

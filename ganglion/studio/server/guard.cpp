@@ -1,0 +1,130 @@
+#include "ganglion/studio/server/guard.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+#include <sys/random.h>
+
+#include "ganglion/base/expects.h"
+#include "ganglion/base/text.h"
+
+namespace ganglion::studio {
+namespace {
+
+int hex_digit(char c) noexcept {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return -1;
+}
+
+bool has_cookie(std::string_view cookies, std::string_view name, std::string_view value) {
+  bool found = false;
+  for (const std::string& part : split(cookies, ';')) {
+    const std::string_view one = trimmed(part);
+    const std::size_t equals = one.find('=');
+    if (equals == std::string_view::npos || one.substr(0, equals) != name) continue;
+    found = same_secret(one.substr(equals + 1), value) || found;
+  }
+  return found;
+}
+
+/// The target without its token.
+std::string without_token(std::string_view target) {
+  const std::size_t question = target.find('?');
+  std::string result(target.substr(0, question));
+  char separator = '?';
+  for (const std::string& part : split(target.substr(question + 1), '&')) {
+    if (part.empty() || part.starts_with("token=")) continue;
+    result += separator + part;
+    separator = '&';
+  }
+  while (result.starts_with("//")) result.erase(0, 1);  // "//elsewhere" would lead to another host
+  return result;
+}
+
+bool is_reading(std::string_view method) { return method == "GET" || method == "HEAD"; }
+
+}  // namespace
+
+Verdict judge(const GuardConfig& config, const RequestHead& head) {
+  const bool known_host = std::find(config.hosts.begin(), config.hosts.end(), head.host) != config.hosts.end();
+  if (!known_host || head.hosts != 1) return {421, "this server does not answer to that Host", ""};
+  if (head.method == "GET" && !head.upgrade && head.target.starts_with('/')) {
+    if (const auto token = query_value(head.target, "token")) {
+      if (!same_secret(*token, config.token)) return {401, "the token in the URL is not this server's", ""};
+      return {303, "", without_token(head.target)};
+    }
+  }
+  constexpr std::string_view kBearer = "Bearer ";
+  const bool script =
+      head.authorization.starts_with(kBearer) && same_secret(head.authorization.substr(kBearer.size()), config.token);
+  if (!script && !has_cookie(head.cookies, config.cookie, config.session)) {
+    return {401, "open the URL that ganglion studio printed; it holds the key", ""};
+  }
+  const bool own_page = head.origin == "http://" + std::string(head.host);
+  if ((!is_reading(head.method) || head.upgrade) && !own_page) {
+    return {403, "only this server's own page may ask for that: Origin must be http://" + std::string(head.host), ""};
+  }
+  if (!head.origin.empty() && !own_page) return {403, "another page asked", ""};
+  const bool own_fetch = head.fetch_site.empty() || head.fetch_site == "same-origin" || head.fetch_site == "none";
+  if (!own_fetch) return {403, "another page asked", ""};
+  return {};
+}
+
+std::vector<std::string> allowed_hosts(std::uint16_t port, const std::vector<std::string>& more) {
+  const std::string suffix = ":" + std::to_string(port);
+  std::vector<std::string> hosts = {"127.0.0.1" + suffix, "localhost" + suffix, "[::1]" + suffix};
+  for (const std::string& host : more) {
+    const bool has_port = host.find(':', host.starts_with('[') ? host.find(']') : 0) != std::string::npos;
+    hosts.push_back(has_port ? host : host + suffix);
+  }
+  return hosts;
+}
+
+bool same_secret(std::string_view a, std::string_view b) noexcept {
+  unsigned different = a.size() == b.size() ? 0 : 1;
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    const char other = i < a.size() ? a[i] : '\0';
+    different |= static_cast<unsigned char>(other) ^ static_cast<unsigned char>(b[i]);
+  }
+  return different == 0;
+}
+
+std::string random_secret() {
+  std::array<unsigned char, 32> bytes{};
+  expects(::getrandom(bytes.data(), bytes.size(), 0) == static_cast<ssize_t>(bytes.size()));
+  std::string hex;
+  for (const unsigned char byte : bytes) hex += fmt::format("{:02x}", byte);
+  return hex;
+}
+
+std::optional<std::string> percent_decoded(std::string_view text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '%') {
+      result += text[i];
+      continue;
+    }
+    const int high = i + 2 < text.size() ? hex_digit(text[i + 1]) : -1;
+    const int low = i + 2 < text.size() ? hex_digit(text[i + 2]) : -1;
+    if (high < 0 || low < 0 || (high == 0 && low == 0)) return std::nullopt;
+    result += static_cast<char>(high * 16 + low);
+    i += 2;
+  }
+  return result;
+}
+
+std::optional<std::string> query_value(std::string_view target, std::string_view name) {
+  const std::size_t question = target.find('?');
+  if (question == std::string_view::npos) return std::nullopt;
+  for (const std::string& part : split(target.substr(question + 1), '&')) {
+    const std::size_t equals = std::min(part.find('='), part.size());
+    if (std::string_view(part).substr(0, equals) != name) continue;
+    return percent_decoded(std::string_view(part).substr(std::min(equals + 1, part.size())));
+  }
+  return std::nullopt;
+}
+
+}  // namespace ganglion::studio

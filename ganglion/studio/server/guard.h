@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ganglion::studio {
+
+/// Who may ask, and by what name this server is asked.
+struct GuardConfig {
+  std::vector<std::string> hosts;  ///< Allowed Host headers, with port: "127.0.0.1:8745".
+  std::string token;               ///< 64 hex digits: in the printed URL, and for scripts.
+  std::string session;             ///< The cookie's value; another 64 hex digits.
+  std::string cookie;              ///< Its name, which holds the port.
+};
+
+/// What of a request decides whether it is answered. Absent headers are "".
+struct RequestHead {
+  std::string_view method;
+  std::string_view target;  ///< Path and query.
+  std::string_view host;
+  std::string_view origin;
+  std::string_view cookies;
+  std::string_view authorization;
+  std::string_view fetch_site;  ///< Sec-Fetch-Site
+  bool upgrade = false;         ///< To a WebSocket.
+  int hosts = 1;                ///< How many Host headers there are.
+};
+
+struct Verdict {
+  unsigned status = 200;
+  std::string why;       ///< For people.
+  std::string location;  ///< Of a 303: where to, with the cookie set.
+};
+
+/// The order: Host, then who asks, then from which page.
+Verdict judge(const GuardConfig& config, const RequestHead& head);
+
+/// Hosts under which a server on this port may be asked: the names of this machine for itself, and `more` as given,
+/// with the port where they have none.
+std::vector<std::string> allowed_hosts(std::uint16_t port, const std::vector<std::string>& more);
+
+/// In a time that does not tell where two texts differ.
+bool same_secret(std::string_view a, std::string_view b) noexcept;
+
+/// 256 bits from the system, as hex digits.
+std::string random_secret();
+
+/// The decoded value of a query's parameter; none where it is not there or badly encoded.
+std::optional<std::string> query_value(std::string_view target, std::string_view name);
+/// "%20" decoded; none where it is badly encoded or holds a zero.
+std::optional<std::string> percent_decoded(std::string_view text);
+
+}  // namespace ganglion::studio

@@ -1,0 +1,170 @@
+#include "ganglion/studio/server/server.h"
+
+#include <algorithm>
+#include <array>
+#include <boost/asio/post.hpp>
+
+#include "ganglion/studio/server/core.h"
+
+namespace ganglion::studio {
+namespace {
+
+constexpr auto kDrainEvery = std::chrono::milliseconds(10);
+constexpr auto kLookEvery = std::chrono::milliseconds(1000);
+
+}  // namespace
+
+std::uint64_t Connections::add(std::function<void()> drop) {
+  make_room();
+  open_[next_] = {std::move(drop)};
+  return next_++;
+}
+
+void Connections::make_room() {
+  if (open_.size() < kMost) return;
+  auto goes = std::find_if(open_.begin(), open_.end(), [](const auto& one) { return !one.second.admitted; });
+  if (goes == open_.end()) {
+    goes = std::find_if(open_.begin(), open_.end(), [](const auto& one) { return !one.second.watching; });
+  }
+  if (goes == open_.end()) return;
+  const auto drop = std::move(goes->second.drop);
+  open_.erase(goes);
+  drop();
+}
+
+void Connections::admit(std::uint64_t id) {
+  if (const auto found = open_.find(id); found != open_.end()) found->second.admitted = true;
+}
+
+bool Connections::watch(std::uint64_t id) {
+  const auto watching = std::count_if(open_.begin(), open_.end(), [](const auto& one) { return one.second.watching; });
+  const auto found = open_.find(id);
+  if (found == open_.end() || static_cast<std::size_t>(watching) >= kMostViewers) return false;
+  found->second.watching = true;
+  return true;
+}
+
+struct Server::Core {
+  explicit Core(const ServerOptions& options) : shared(Assets(options.web_root), random_secret().substr(0, 16)) {}
+
+  Result<void> listen(const ServerOptions& options);
+  void accept();
+  void drain();
+  void look();
+
+  ServerCore shared;
+  tcp::acceptor acceptor{shared.io};
+  asio::steady_timer retry{shared.io}, drain_timer{shared.io}, look_timer{shared.io};
+  std::uint16_t port = 0;
+  std::string host;
+  std::thread thread;
+};
+
+Result<void> Server::Core::listen(const ServerOptions& options) {
+  boost::system::error_code error;
+  const auto address = asio::ip::make_address(options.address, error);
+  if (error)
+    return fail(ErrorCode::BadParameter, "\"{}\" is no address to listen on; write 127.0.0.1:PORT", options.address);
+  if (!address.is_loopback() && options.allow_hosts.empty()) {
+    return fail(ErrorCode::BadParameter,
+                "{} can be reached by other machines: say by which name with --allow-host, if you mean it",
+                options.address);
+  }
+  const tcp::endpoint endpoint(address, options.port);
+  acceptor.open(endpoint.protocol(), error);
+  if (!error) acceptor.set_option(asio::socket_base::reuse_address(true), error);
+  if (!error) acceptor.bind(endpoint, error);
+  if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
+  if (error)
+    return fail(ErrorCode::Unwritable, "cannot listen on {}:{}: {}", options.address, options.port, error.message());
+  port = acceptor.local_endpoint().port();
+  host = address.is_v6() ? "[" + address.to_string() + "]" : address.to_string();
+  if (address.is_unspecified()) host = "127.0.0.1";
+  return {};
+}
+
+void Server::Core::accept() {
+  acceptor.async_accept([this](const boost::system::error_code& error, tcp::socket socket) {
+    if (error == asio::error::operation_aborted) return;
+    if (error) {  // out of descriptors, say: that passes
+      retry.expires_after(std::chrono::milliseconds(50));
+      retry.async_wait([this](const boost::system::error_code& stopped) {
+        if (!stopped) accept();
+      });
+      return;
+    }
+    serve_connection(shared, std::move(socket));
+    accept();
+  });
+}
+
+void Server::Core::drain() {
+  drain_timer.expires_after(kDrainEvery);
+  drain_timer.async_wait([this](const boost::system::error_code& stopped) {
+    if (stopped) return;
+    shared.hub.drain();
+    drain();
+  });
+}
+
+void Server::Core::look() {
+  look_timer.expires_after(kLookEvery);
+  look_timer.async_wait([this](const boost::system::error_code& stopped) {
+    if (stopped) return;
+    asio::post(shared.worker, [this] { shared.api->look_for_changes(); });
+    look();
+  });
+}
+
+Server::Server(std::unique_ptr<Core> core) : core_(std::move(core)) {
+  core_->accept();
+  core_->drain();
+  core_->look();
+  core_->thread = std::thread([core = core_.get()] { core->shared.io.run(); });
+}
+
+Result<std::unique_ptr<Server>> Server::start(const ServerOptions& options) {
+  auto folder = Folder::open(options.folder);
+  if (!folder) return tl::unexpected<Error>(folder.error());
+  Problems problems;
+  auto programs = read_programs(options.programs, problems);
+  if (!problems.empty()) return tl::unexpected<Error>(problems.sorted().front());
+  auto core = std::make_unique<Core>(options);
+  if (auto listening = core->listen(options); !listening) return tl::unexpected<Error>(listening.error());
+  ServerCore& shared = core->shared;
+  shared.guard = {allowed_hosts(core->port, options.allow_hosts), random_secret(), random_secret(),
+                  fmt::format("ganglion_{}", core->port)};
+  Api::Hooks hooks;
+  hooks.on_hub = [&shared](std::function<void(Hub&)> what) {
+    asio::post(shared.io, [&shared, what = std::move(what)] { what(shared.hub); });
+  };
+  hooks.later = [&shared](std::function<void(Api&)> what) {
+    asio::post(shared.worker, [&shared, what = std::move(what)] { what(*shared.api); });
+  };
+  shared.api = std::make_unique<Api>(std::move(*folder), std::move(programs), std::move(hooks));
+  return std::unique_ptr<Server>(new Server(std::move(core)));
+}
+
+Server::~Server() {
+  core_->shared.io.stop();
+  core_->thread.join();
+  core_->shared.worker.stop();
+  core_->shared.worker.join();
+}
+
+std::uint16_t Server::port() const noexcept { return core_->port; }
+const std::string& Server::token() const noexcept { return core_->shared.guard.token; }
+std::string Server::url() const { return fmt::format("http://{}:{}/?token={}", core_->host, core_->port, token()); }
+
+void Server::attach(std::shared_ptr<LiveFeed> feed, Json state) {
+  asio::post(core_->shared.io, [core = core_.get(), feed = std::move(feed)] { core->shared.hub.watch(feed); });
+  tell_attached(std::move(state));
+}
+
+void Server::tell_attached(Json state) {
+  state["attached"] = true;
+  asio::post(core_->shared.worker, [core = core_.get(), state] { core->shared.api->attach(state); });
+  asio::post(core_->shared.io, [core = core_.get(), state] { core->shared.hub.set_state(state); });
+}
+
+}  // namespace ganglion::studio
