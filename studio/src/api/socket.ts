@@ -8,6 +8,8 @@ export interface Listener {
   connected(yes: boolean): void;
 }
 
+const kTooFarBehind = 4001;
+
 /** Keeps a connection: comes back by itself and asks for the events it missed. */
 export class Connection {
   private socket: WebSocket | null = null;
@@ -29,15 +31,14 @@ export class Connection {
   }
 
   private open(): void {
-    const socket = new WebSocket(this.url, 'ganglion.studio.v1');
+    const resume = this.session ? `?session=${this.session}&after=${this.seq}` : '';
+    const socket = new WebSocket(this.url + resume, 'ganglion.studio.v1');
     this.socket = socket;
     socket.binaryType = 'arraybuffer';
-    socket.onopen = () => {
-      if (this.session) socket.send(JSON.stringify({ resume: { session: this.session, after: this.seq } }));
-    };
     socket.onmessage = (message) => this.receive(message.data);
-    socket.onclose = () => {
+    socket.onclose = (close) => {
       if (this.closed) return;
+      if (close.code === kTooFarBehind) this.session = '';
       this.listener.connected(false);
       setTimeout(() => this.open(), this.wait_ms);
       this.wait_ms = Math.min(4000, this.wait_ms * 2);

@@ -172,7 +172,7 @@ export interface Outcome {
 }
 
 export interface RunState {
-  state: 'idle' | 'armed' | 'running' | 'paused' | 'done';
+  state: 'idle' | 'preparing' | 'armed' | 'running' | 'paused' | 'done';
   run: string;
   experiment: string;
   controller: string;
@@ -271,7 +271,7 @@ export interface LogEvent {
 
 export type StudioEvent =
   | { event: 'run'; state: RunState }
-  | { event: 'streams'; streams: Stream[]; scene: Scene | null; info: Info | null }
+  | { event: 'streams'; streams: Stream[]; scene: Scene | null; info: Info | null; more?: boolean }
   | { event: 'file'; path: string; hash: string }
   | GoalEvent
   | LogEvent;

@@ -1,9 +1,9 @@
-import type { Dictionary } from '../text/en';
 import { api } from '../api/client';
 import { current, redo, save, select, undo, useDocument } from '../document/document';
 import { align, copy, cut, distribute, duplicate, paste, remove, tidy } from '../editor/actions';
 import { fit } from '../editor/canvas_handle';
 import { start, useRun } from '../run/run';
+import type { Dictionary } from '../text/en';
 import { text } from '../text/text';
 import { isDark, useSettings } from '../theme/settings';
 import { complain, openDialog, say, show, toast, useWorkbench } from '../ui/workbench';
@@ -25,7 +25,7 @@ const chosen = () => useDocument.getState().selection.length > 0;
 const one = () => useDocument.getState().selection.length === 1;
 const runState = () => useRun.getState().state?.state ?? 'idle';
 const steers = () => !useRun.getState().state?.attached;
-const isRunning = () => ['armed', 'running', 'paused'].includes(runState()) && steers();
+const isRunning = () => ['preparing', 'armed', 'running', 'paused'].includes(runState()) && steers();
 const isShown = () => usePlayer.getState().timeline !== null;
 const first = () => useDocument.getState().selection[0];
 
@@ -66,7 +66,13 @@ function stepOn(): unknown {
 export const kCommands: Command[] = [
   { name: 'new', menu: 'file', run: () => openDialog({ kind: 'new' }) },
   { name: 'save', menu: 'file', keys: ['Ctrl+S'], run: saveAndSay, enabled: isOpen },
-  { name: 'undo', menu: 'edit', keys: ['Ctrl+Z'], run: () => undo().then(() => say(text().shell.undone)), enabled: () => useDocument.getState().now > 0 },
+  {
+    name: 'undo',
+    menu: 'edit',
+    keys: ['Ctrl+Z'],
+    run: () => undo().then(() => say(text().shell.undone)),
+    enabled: () => useDocument.getState().now > 0,
+  },
   {
     name: 'redo',
     menu: 'edit',
@@ -88,7 +94,13 @@ export const kCommands: Command[] = [
   },
   { name: 'rename', menu: 'edit', keys: ['F2'], run: () => openDialog({ kind: 'rename', id: first() }), enabled: one },
   { name: 'add', menu: 'edit', keys: ['A'], run: () => openDialog({ kind: 'add' }), enabled: isOpen },
-  { name: 'connect', menu: 'edit', keys: ['C'], run: () => openDialog({ kind: 'connect_to', id: first() }), enabled: one },
+  {
+    name: 'connect',
+    menu: 'edit',
+    keys: ['C'],
+    run: () => openDialog({ kind: 'connect_to', id: first() }),
+    enabled: one,
+  },
   { name: 'align_left', menu: 'edit', run: () => align('left'), enabled: chosen },
   { name: 'align_top', menu: 'edit', run: () => align('top'), enabled: chosen },
   { name: 'distribute', menu: 'edit', run: distribute, enabled: chosen },

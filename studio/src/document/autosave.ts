@@ -14,7 +14,9 @@ export function startAutosave(failed: (error: unknown) => void): () => void {
     if (wanted === kept || state.draft) return;
     const before = kept;
     kept = wanted;
-    const done = wanted ? api.autosave(what, state.hash) : before.startsWith(`${what.path}\n`) && api.discard(what.path);
+    const done = wanted
+      ? api.autosave(what, state.hash)
+      : before.startsWith(`${what.path}\n`) && api.discard(what.path);
     if (done) done.catch(failed);
   };
   return useDocument.subscribe((state, before) => {

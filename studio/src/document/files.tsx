@@ -48,7 +48,8 @@ function Experiments({ files }: { files: Files }) {
   const chosen = useRun((state) => state.configuration.experiment);
   const choose = (path: string, controller: string) => {
     configure({ experiment: path, world: '', robot: '', seed: null, duration_s: null });
-    if (controller && controller !== useDocument.getState().path) void openController(controller).then(() => configure({ experiment: path }));
+    if (controller && controller !== useDocument.getState().path)
+      void openController(controller).then(() => configure({ experiment: path }));
     else openDialog({ kind: 'configure' });
   };
   return (

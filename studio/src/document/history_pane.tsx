@@ -13,7 +13,7 @@ export function HistoryPane() {
       <ol className="plain history" reversed>
         {steps
           .map((step, i) => (
-            <li key={`${i} ${step.at_ms}`}>
+            <li key={`${step.at_ms} ${step.about} ${step.text.length}`}>
               <button type="button" aria-current={i === now ? 'step' : undefined} onClick={() => goTo(i)}>
                 {words[step.step] ?? text.history.opened} <small>{step.about}</small>
                 {i === now && <small>{text.history.now}</small>}

@@ -2,7 +2,7 @@ import { api } from '../api/client';
 import type { Operation } from '../api/types';
 import { current, edit, place, select, useDocument } from '../document/document';
 import { fit, places, selectedEdges } from './canvas_handle';
-import { kWidth, heightOf, portsOf } from './geometry';
+import { heightOf, kWidth, portsOf } from './geometry';
 import { arrange, boxesOf, type Point } from './placing';
 
 const kOffset: Point = [30, 30];

@@ -1,6 +1,7 @@
 import { api } from '../api/client';
 import type { Kind, Model, Operation, Value } from '../api/types';
 import { current, edit, place, select } from '../document/document';
+import { text } from '../text/text';
 import type { Point } from './placing';
 
 /** Something the palette offers. */
@@ -23,7 +24,9 @@ export function offered(kinds: Kind[], model: Model | undefined, language: 'en' 
     kind: '',
     label: channel.name,
     paper: '',
-    help: [channel.type, channel.unit && `[${channel.unit}]`, channel.elements.join(', ')].filter(Boolean).join(' '),
+    help: [text().types[channel.type] ?? channel.type, channel.unit && `[${channel.unit}]`, channel.elements.join(', ')]
+      .filter(Boolean)
+      .join(' '),
     set: { channel: channel.name },
     id: idFor(channel.name, model),
   }));
@@ -43,7 +46,8 @@ export function offered(kinds: Kind[], model: Model | undefined, language: 'en' 
 function idFor(channel: string, model: Model | undefined): string {
   const taken = new Set(model?.components.map((component) => component.id));
   const [device, value] = channel.split('.');
-  for (const id of [value === 'range' ? device : (value ?? device), `${device}_${value}`]) if (!taken.has(id)) return id;
+  for (const id of [value === 'range' ? device : (value ?? device), `${device}_${value}`])
+    if (!taken.has(id)) return id;
   let n = 2;
   while (taken.has(`${device}_${value}_${n}`)) n += 1;
   return `${device}_${value}_${n}`;

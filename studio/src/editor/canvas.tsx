@@ -1,5 +1,7 @@
 import '@xyflow/react/dist/base.css';
 import {
+  applyEdgeChanges,
+  applyNodeChanges,
   Background,
   type Connection,
   ConnectionMode,
@@ -9,8 +11,6 @@ import {
   type NodeChange,
   ReactFlow,
   ReactFlowProvider,
-  applyEdgeChanges,
-  applyNodeChanges,
   useReactFlow,
 } from '@xyflow/react';
 import { type DragEvent, useCallback, useEffect, useMemo, useRef, useState } from 'react';
@@ -18,7 +18,7 @@ import { current, edit, select, useDocument, useModel } from '../document/docume
 import { useText } from '../text/text';
 import { Icon } from '../ui/icons';
 import { complain, openDialog, say, toast, useWorkbench } from '../ui/workbench';
-import { type Offered, add } from './adding';
+import { add, type Offered } from './adding';
 import { setCanvas } from './canvas_handle';
 import { ComponentBox } from './component_node';
 import { type ComponentNode, edgesOf, nodesOf, type WireEdge } from './graph';
@@ -121,6 +121,25 @@ function useWiring() {
   return { start, valid, connect, end };
 }
 
+/** Shows all of a file's drawing once it is there and has a size: on a phone it may be opened out of sight. */
+function useFitting(frame: { current: HTMLElement | null }, path: string, drawn: boolean) {
+  const flow = useReactFlow();
+  const fitted = useRef('');
+  useEffect(() => {
+    const element = frame.current;
+    if (!element) return;
+    const look = () => {
+      if (!drawn || fitted.current === path || element.clientWidth === 0) return;
+      fitted.current = path;
+      requestAnimationFrame(() => void flow.fitView({ padding: 0.06, maxZoom: 1 }));
+    };
+    const sized = new ResizeObserver(look);
+    sized.observe(element);
+    look();
+    return () => sized.disconnect();
+  }, [flow, frame, path, drawn]);
+}
+
 function Flow() {
   const text = useText();
   const flow = useReactFlow<ComponentNode, WireEdge>();
@@ -131,10 +150,7 @@ function Flow() {
   const path = useDocument((state) => state.path);
   const frame = useRef<HTMLElement>(null);
   useEffect(() => setCanvas(flow, () => frame.current), [flow]);
-  // biome-ignore lint/correctness/useExhaustiveDependencies: fitted once for each file, when its boxes are there
-  useEffect(() => {
-    if (nodes.length > 0) void flow.fitView({ padding: 0.1, maxZoom: 1 });
-  }, [path, nodes.length > 0]);
+  useFitting(frame, path, nodes.length > 0);
   const drop = (event: DragEvent) => {
     const dragged = event.dataTransfer.getData(kDragType);
     if (!dragged) return;
@@ -147,9 +163,9 @@ function Flow() {
     [text],
   );
   return (
-    // biome-ignore lint/a11y/noNoninteractiveTabindex: arrows walk the drawing along its wires
-    // biome-ignore lint/a11y/useAriaPropsSupportedByRole: a labelled region that takes keys
-    <section
+    // biome-ignore lint/a11y/useSemanticElements: no element is a drawing one walks with arrows
+    <div
+      role="application"
       className="canvas"
       ref={frame}
       tabIndex={0}
@@ -186,7 +202,13 @@ function Flow() {
         elevateNodesOnSelect={false}
       >
         <Background gap={20} size={1} />
-        {minimap && <MiniMap pannable zoomable nodeClassName={(node) => `mini class-${(node as ComponentNode).data.component.class}`} />}
+        {minimap && (
+          <MiniMap
+            pannable
+            zoomable
+            nodeClassName={(node) => `mini class-${(node as ComponentNode).data.component.class}`}
+          />
+        )}
       </ReactFlow>
       <div className="canvas-tools">
         <button type="button" aria-label={text.shell.zoom_in} onClick={() => void flow.zoomIn()}>
@@ -195,12 +217,16 @@ function Flow() {
         <button type="button" aria-label={text.shell.zoom_out} onClick={() => void flow.zoomOut()}>
           <Icon name="minus" />
         </button>
-        <button type="button" aria-label={text.shell.fit} onClick={() => void flow.fitView({ padding: 0.1, maxZoom: 1 })}>
+        <button
+          type="button"
+          aria-label={text.shell.fit}
+          onClick={() => void flow.fitView({ padding: 0.06, maxZoom: 1 })}
+        >
           <Icon name="fit" />
         </button>
       </div>
       {current() && nodes.length === 0 && <Empty />}
-    </section>
+    </div>
   );
 }
 

@@ -12,11 +12,18 @@ function Input({ port, wired, bad }: { port: InputPort; wired: boolean; bad: boo
   const text = useText();
   const language = useSettings((settings) => settings.language);
   const required = port.descriptor?.required ? ` (${text.inspector.required})` : '';
-  const help = port.descriptor ? `${text.roles[port.role] ?? port.role}: ${port.descriptor.help[language]}${required}` : '';
+  const help = port.descriptor
+    ? `${text.roles[port.role] ?? port.role}: ${port.descriptor.help[language]}${required}`
+    : '';
   const state = bad ? 'bad' : wired ? 'wired' : required ? 'open' : 'free';
   return (
     <div className="port port-in" title={help}>
-      <Handle id={`i:${port.name}`} type="target" position={Position.Left} className={`handle role-${port.role} ${state}`} />
+      <Handle
+        id={`i:${port.name}`}
+        type="target"
+        position={Position.Left}
+        className={`handle role-${port.role} ${state}`}
+      />
       <span>{port.name}</span>
     </div>
   );
@@ -27,8 +34,13 @@ function Output({ port }: { port: OutputPort }) {
   const unit = port.unit ? ` [${port.unit}]` : '';
   return (
     <div className="port port-out" title={`${text.roles[port.role] ?? port.role}${unit}`}>
-      <span>{port.label}</span>
-      <Handle id={`o:${port.handle}`} type="source" position={Position.Right} className={`handle role-${port.role} wired`} />
+      <span>{port.label || (port.unit && `[${port.unit}]`)}</span>
+      <Handle
+        id={`o:${port.handle}`}
+        type="source"
+        position={Position.Right}
+        className={`handle role-${port.role} wired`}
+      />
     </div>
   );
 }

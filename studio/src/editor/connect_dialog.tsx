@@ -38,7 +38,8 @@ function Previous({ previous, set }: { previous: boolean; set(previous: boolean)
   const text = useText();
   return (
     <label className="check">
-      <input type="checkbox" checked={previous} onChange={(event) => set(event.target.checked)} /> {text.connect.previous}
+      <input type="checkbox" checked={previous} onChange={(event) => set(event.target.checked)} />{' '}
+      {text.connect.previous}
     </label>
   );
 }
@@ -74,7 +75,9 @@ export function ConnectTo({ id, from }: { id: string; from?: string }) {
   const ports = component ? outputsOf(component, kindOf(component)) : [];
   const sources = ports.flatMap((port) => [
     port.text,
-    ...(port.role === 'command' || component?.class === 'goal' ? [] : port.elements.map((one) => `${port.text}.${one}`)),
+    ...(port.role === 'command' || component?.class === 'goal'
+      ? []
+      : port.elements.map((one) => `${port.text}.${one}`)),
   ]);
   const [output, setOutput] = useState(from ?? sources[0] ?? id);
   const [previous, setPrevious] = useState(false);

@@ -46,7 +46,10 @@ export function RobotCard({ robot }: { robot: Model['robot'] }) {
           <li key={command.name}>
             <code>{command.name}</code>:{' '}
             {command.elements
-              .map((one) => `${one.name} ${text.inspector.range(shown(one.min), shown(one.max))} ${one.unit && `[${one.unit}]`}`)
+              .map(
+                (one) =>
+                  `${one.name} ${text.inspector.range(shown(one.min), shown(one.max))} ${one.unit && `[${one.unit}]`}`,
+              )
               .join('; ')}
           </li>
         ))}

@@ -19,7 +19,10 @@ export function shown(value: Value): string {
 function parsed(words: string, type: ParameterDescriptor['type']): Value | null {
   if (type === 'word' || type === 'choice') return words;
   if (type !== 'reals') return numberOf(words);
-  const numbers = words.split(/[\s;]+/).filter(Boolean).map(numberOf);
+  const numbers = words
+    .split(/[\s;]+/)
+    .filter(Boolean)
+    .map(numberOf);
   return numbers.some((number) => number === null) ? null : (numbers as number[]);
 }
 

@@ -27,7 +27,7 @@ export function portsOf(component: Component, wired: ReadonlySet<string>, expand
   const few = all.filter((port) => !port.common || wired.has(port.handle));
   const folded = few.length <= kRowsWithoutFold ? few : few.filter((port) => matters(port, wired));
   const outputs = expanded ? all : folded;
-  return { inputs, outputs, hidden: all.length - outputs.length, foldable: folded.length < all.length };
+  return { inputs, outputs, hidden: all.length - outputs.length, foldable: all.length - folded.length > 1 };
 }
 
 export function heightOf(ports: Ports): number {

@@ -97,9 +97,7 @@ export function nodesOf(
   const drawn = model.components.filter(
     (component, i, all) => component.id !== '' && all.findIndex((one) => one.id === component.id) === i,
   );
-  const ports = new Map(
-    drawn.map((one) => [one.id, portsOf(one, wired.get(one.id) ?? kNone, expanded.has(one.id))]),
-  );
+  const ports = new Map(drawn.map((one) => [one.id, portsOf(one, wired.get(one.id) ?? kNone, expanded.has(one.id))]));
   for (const one of drawn) if (one.position) places.set(one.id, one.position);
   const boxes = boxesOf(drawn, (one) => heightOf(ports.get(one.id) as Ports));
   for (const [id, at] of arrangeMissing(boxes, places)) places.set(id, at);

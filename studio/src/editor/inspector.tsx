@@ -121,7 +121,7 @@ function One({ component, model }: { component: Component; model: Model }) {
       {kind && (
         <p className="hint">
           {kind.summary[language]}
-          {kind.source !== 'ours' && (
+          {kind.source !== 'ours' && language === 'en' && (
             <small>
               {' '}
               {text.inspector.source}: {kind.source}

@@ -35,7 +35,9 @@ function nudge([dx, dy]: Point): void {
     [Math.round(x) + dx * kNudge, Math.round(y) + dy * kNudge],
   ]);
   if (moved.length === 0) return;
-  edit([{ op: 'move', positions: Object.fromEntries(moved) }], { merge: `nudge ${moved.map(([id]) => id)}` }).catch(complain);
+  edit([{ op: 'move', positions: Object.fromEntries(moved) }], { merge: `nudge ${moved.map(([id]) => id)}` }).catch(
+    complain,
+  );
 }
 
 function walk(arrow: Point): void {

@@ -22,13 +22,18 @@ function Fixes({ problem }: { problem: Problem }) {
   if (!model || !id) return null;
   const component = model.components.find((one) => one.id === id);
   const wires = component?.inputs.find((input) => input.port === port)?.wires ?? [];
-  const given = component?.parameters.some((one) => one.name === key) || component?.unknown.some((one) => one.key === key);
+  const given =
+    component?.parameters.some((one) => one.name === key) || component?.unknown.some((one) => one.key === key);
   return (
     <>
       {wires
         .filter((wire) => !wire.ok || wires.length === 1)
         .map((wire) => (
-          <button key={wire.text} type="button" onClick={() => change([{ op: 'disconnect', id, port, from: wire.text }])}>
+          <button
+            key={wire.text}
+            type="button"
+            onClick={() => change([{ op: 'disconnect', id, port, from: wire.text }])}
+          >
             {text.problems.fix_wire}
           </button>
         ))}
@@ -62,7 +67,9 @@ export function Problems() {
         onClick={() => useWorkbench.setState({ problemsOpen: !open })}
       >
         <Icon name={problems.length > 0 ? 'warning' : 'check'} />
-        <span aria-live="polite">{problems.length > 0 ? text.problems.count(problems.length) : text.problems.none}</span>
+        <span aria-live="polite">
+          {problems.length > 0 ? text.problems.count(problems.length) : text.problems.none}
+        </span>
       </button>
       {open && (
         <ul className="plain">

@@ -21,7 +21,12 @@ export function RenameDialog({ id }: { id: string }) {
       <form onSubmit={submit}>
         <label className="field">
           <span>{text.shell.rename_to}</span>
-          <input data-first value={to} onChange={(event) => setTo(event.target.value)} onFocus={(event) => event.target.select()} />
+          <input
+            data-first
+            value={to}
+            onChange={(event) => setTo(event.target.value)}
+            onFocus={(event) => event.target.select()}
+          />
         </label>
         <div className="dialog-ends">
           <button type="submit" className="primary">

@@ -1,7 +1,7 @@
 import { BaseEdge, EdgeLabelRenderer, type EdgeProps, getBezierPath } from '@xyflow/react';
 import { memo, useCallback } from 'react';
-import { useRun } from '../run/run';
 import { watchValue } from '../run/live_values';
+import { useRun } from '../run/run';
 import type { WireEdge } from './graph';
 import { showSparkline } from './sparkline';
 

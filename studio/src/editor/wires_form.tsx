@@ -1,5 +1,5 @@
 import type { Component, Wire } from '../api/types';
-import { inputsOf, type InputPort, kindOf, outputsOf } from '../document/kinds';
+import { type InputPort, inputsOf, kindOf, outputsOf } from '../document/kinds';
 import { useText } from '../text/text';
 import { useSettings } from '../theme/settings';
 import { Icon } from '../ui/icons';
@@ -28,7 +28,13 @@ function Order({ component, port, wires, index }: LineProps) {
     change([{ op: 'reorder', id: component.id, port: port.name, order: reordered(wires, index, by) }]);
   return (
     <>
-      <button type="button" className="small" disabled={index === 0} aria-label={text.inspector.earlier(wire.text)} onClick={() => shift(-1)}>
+      <button
+        type="button"
+        className="small"
+        disabled={index === 0}
+        aria-label={text.inspector.earlier(wire.text)}
+        onClick={() => shift(-1)}
+      >
         <Icon name="up" />
       </button>
       <button
@@ -57,7 +63,9 @@ function WireLine(props: LineProps) {
           checked={wire.previous}
           disabled={!component.editable}
           aria-label={text.inspector.previous_of(withPrevious(wire.text, false))}
-          onChange={() => replaceWire(component.id, port.name, index, wire.text, withPrevious(wire.text, !wire.previous))}
+          onChange={() =>
+            replaceWire(component.id, port.name, index, wire.text, withPrevious(wire.text, !wire.previous))
+          }
         />
         <small>{text.units.previous}</small>
       </label>
@@ -92,7 +100,8 @@ export function Inputs({ component }: { component: Component }) {
               <span>
                 <b>{port.name}</b>{' '}
                 <small>
-                  {text.roles[port.role] ?? port.role}, {port.descriptor?.required ? text.inspector.required : text.inspector.optional}
+                  {text.roles[port.role] ?? port.role},{' '}
+                  {port.descriptor?.required ? text.inspector.required : text.inspector.optional}
                 </small>
               </span>
               <button

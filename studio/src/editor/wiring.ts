@@ -1,4 +1,4 @@
-import { type Target, api } from '../api/client';
+import { api, type Target } from '../api/client';
 import { edit, place } from '../document/document';
 import { text } from '../text/text';
 import { complain, say, toast } from '../ui/workbench';

@@ -43,7 +43,17 @@ function Choice({ label, value, options, none, pick }: ChoiceProps) {
   );
 }
 
-function Amount({ label, value, usual, set }: { label: string; value: number | null; usual: number | undefined; set(value: number | null): void }) {
+function Amount({
+  label,
+  value,
+  usual,
+  set,
+}: {
+  label: string;
+  value: number | null;
+  usual: number | undefined;
+  set(value: number | null): void;
+}) {
   const [words, setWords] = useState(value === null ? '' : `${value}`);
   return (
     <label className="field">
@@ -71,7 +81,12 @@ function TestConnection({ programs }: { programs: Program[] }) {
     try {
       const [listed, files] = await Promise.all([api.programs(), api.files()]);
       const chosen = files.experiments.find((one) => one.path === experiment);
-      if (program) setAnswer(listed.programs.some((one) => one.name === program) ? text.configure.program_ok : text.errors.ProgramNotListed);
+      if (program)
+        setAnswer(
+          listed.programs.some((one) => one.name === program)
+            ? text.configure.program_ok
+            : text.errors.ProgramNotListed,
+        );
       else setAnswer(chosen && chosen.problems === 0 ? text.configure.simulation_ok : text.configure.simulation_bad);
     } catch {
       setAnswer(text.configure.unreachable);
@@ -117,16 +132,46 @@ export function ConfigureDialog() {
             pick={(program) => configure({ program })}
           />
           <TestConnection programs={programs} />
-          <Choice label={text.configure.world} value={chosen.world} options={files?.worlds ?? []} none={text.configure.as_experiment} pick={(world) => configure({ world })} />
-          <Choice label={text.configure.robot} value={chosen.robot} options={files?.robots ?? []} none={text.configure.as_experiment} pick={(robot) => configure({ robot })} />
-          <Amount label={text.configure.seed} value={chosen.seed} usual={experiment?.seed} set={(seed) => configure({ seed })} />
-          <Amount label={text.configure.duration} value={chosen.duration_s} usual={experiment?.duration_s} set={(duration_s) => configure({ duration_s })} />
+          <Choice
+            label={text.configure.world}
+            value={chosen.world}
+            options={files?.worlds ?? []}
+            none={text.configure.as_experiment}
+            pick={(world) => configure({ world })}
+          />
+          <Choice
+            label={text.configure.robot}
+            value={chosen.robot}
+            options={files?.robots ?? []}
+            none={text.configure.as_experiment}
+            pick={(robot) => configure({ robot })}
+          />
+          <Amount
+            label={text.configure.seed}
+            value={chosen.seed}
+            usual={experiment?.seed}
+            set={(seed) => configure({ seed })}
+          />
+          <Amount
+            label={text.configure.duration}
+            value={chosen.duration_s}
+            usual={experiment?.duration_s}
+            set={(duration_s) => configure({ duration_s })}
+          />
           <label className="check">
-            <input type="checkbox" checked={chosen.paused} onChange={(event) => configure({ paused: event.target.checked })} />{' '}
+            <input
+              type="checkbox"
+              checked={chosen.paused}
+              onChange={(event) => configure({ paused: event.target.checked })}
+            />{' '}
             {text.configure.paused}
           </label>
           <label className="check">
-            <input type="checkbox" checked={chosen.record} onChange={(event) => configure({ record: event.target.checked })} />{' '}
+            <input
+              type="checkbox"
+              checked={chosen.record}
+              onChange={(event) => configure({ record: event.target.checked })}
+            />{' '}
             {text.configure.record}
           </label>
         </div>

@@ -1,7 +1,7 @@
 import { create } from 'zustand';
 import { api, type StartRun } from '../api/client';
-import { Connection } from '../api/socket';
 import { decodeSamples, type Sample } from '../api/samples';
+import { Connection } from '../api/socket';
 import type { Hello, Recording, RunState, StudioEvent } from '../api/types';
 import { current, fileChanged, useDocument } from '../document/document';
 import { text } from '../text/text';
@@ -72,7 +72,11 @@ function sayOutcome(before: RunState | null, state: RunState): void {
   if (state.state !== 'done' || before?.state === 'done' || !state.outcome) return;
   const { outcome } = state;
   const words = text().run;
-  toast(outcome.success ? words.success : words.failure, [outcome.error || outcome.reason].filter(Boolean), outcome.error ? 'bad' : 'note');
+  toast(
+    outcome.success ? words.success : words.failure,
+    [outcome.error || outcome.reason].filter(Boolean),
+    outcome.error ? 'bad' : 'note',
+  );
 }
 
 function takeState(state: RunState): void {
@@ -84,14 +88,19 @@ function takeState(state: RunState): void {
 function takeEvent(event: StudioEvent): void {
   switch (event.event) {
     case 'run':
-      return takeState(event.state);
+      takeState(event.state);
+      break;
     case 'streams':
-      return showLive(new Timeline(event.streams, event.scene, event.info));
+      if (event.more) get().live?.addStreams(event.streams);
+      else showLive(new Timeline(event.streams, event.scene, event.info));
+      break;
     case 'goal':
       if (event.state === 'reached') say(text().run.goal_reached);
-      return get().live?.addEvent(event);
+      get().live?.addEvent(event);
+      break;
     case 'log':
-      return get().live?.addEvent(event);
+      get().live?.addEvent(event);
+      break;
     case 'file':
       set((run) => ({ filesVersion: run.filesVersion + 1 }));
       fileChanged(event.path, event.hash).then((what) => what === 'reloaded' && toast(text().save.reloaded), complain);

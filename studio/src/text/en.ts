@@ -18,6 +18,7 @@ export const en = {
     candidate: 'candidate',
     output: 'output',
   } as Record<string, string>,
+  types: { real: 'number', circular: 'angle', discrete: 'event' } as Record<string, string>,
   panes: {
     files: 'Files',
     add: 'Add',
@@ -214,7 +215,14 @@ export const en = {
     },
   },
   run: {
-    states: { idle: 'no run', armed: 'armed', running: 'running', paused: 'paused', done: 'done' },
+    states: {
+      idle: 'no run',
+      preparing: 'getting ready',
+      armed: 'armed',
+      running: 'running',
+      paused: 'paused',
+      done: 'done',
+    },
     pace: 'Pace',
     fastest: 'max',
     times: (n: string) => `${n}×`,
@@ -346,7 +354,8 @@ export const en = {
   } as Record<string, string>,
   tour: {
     title: 'Tour: the pathfinder of figure 6',
-    intro: 'One acting module, its request given by the goal App, feedback from the robot, one command. Build it, then run it.',
+    intro:
+      'One acting module, its request given by the goal App, feedback from the robot, one command. Build it, then run it.',
     next: 'Next',
     show: 'Do it for me',
     done: 'done',

@@ -20,6 +20,7 @@ export const es: Dictionary = {
     candidate: 'candidato',
     output: 'salida',
   },
+  types: { real: 'número', circular: 'ángulo', discrete: 'suceso' },
   panes: {
     files: 'Archivos',
     add: 'Añadir',
@@ -216,7 +217,14 @@ export const es: Dictionary = {
     },
   },
   run: {
-    states: { idle: 'sin ejecución', armed: 'preparada', running: 'en marcha', paused: 'en pausa', done: 'terminada' },
+    states: {
+      idle: 'sin ejecución',
+      preparing: 'preparando',
+      armed: 'preparada',
+      running: 'en marcha',
+      paused: 'en pausa',
+      done: 'terminada',
+    },
     pace: 'Ritmo',
     fastest: 'máx.',
     times: (n: string) => `${n}×`,

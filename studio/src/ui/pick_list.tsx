@@ -23,18 +23,13 @@ export function PickList({ label, items, empty, children }: Props) {
   const id = useId();
   const [words, setWords] = useState('');
   const [at, setAt] = useState(0);
-  const list = useRef<HTMLUListElement>(null);
+  const list = useRef<HTMLDivElement>(null);
   const wanted = words.toLowerCase().split(/\s+/).filter(Boolean);
   const found = items.filter((item) => wanted.every((word) => item.words.toLowerCase().includes(word))).slice(0, kMost);
   const chosen = Math.min(at, found.length - 1);
   useEffect(() => {
     list.current?.children[chosen]?.scrollIntoView({ block: 'nearest' });
   }, [chosen]);
-  const keys: Record<string, () => void> = {
-    ArrowDown: () => setAt(Math.min(found.length - 1, chosen + 1)),
-    ArrowUp: () => setAt(Math.max(0, chosen - 1)),
-    Enter: () => found[chosen]?.pick(),
-  };
   return (
     <div className="pick-list">
       <input
@@ -53,23 +48,23 @@ export function PickList({ label, items, empty, children }: Props) {
           setAt(0);
         }}
         onKeyDown={(event) => {
-          const act = keys[event.key];
-          if (!act) return;
+          if (!['ArrowDown', 'ArrowUp', 'Enter'].includes(event.key)) return;
           event.preventDefault();
-          act();
+          if (event.key === 'Enter') found[chosen]?.pick();
+          else setAt(Math.max(0, Math.min(found.length - 1, chosen + (event.key === 'ArrowDown' ? 1 : -1))));
         }}
       />
       {children}
-      <ul ref={list} role="listbox" id={`${id}list`} aria-label={label}>
+      <div className="options" ref={list} role="listbox" id={`${id}list`} aria-label={label}>
         {found.map((item, i) => (
           // biome-ignore lint/a11y/useKeyWithClickEvents: keys are the text field's, as a combobox has it
           // biome-ignore lint/a11y/useFocusableInteractive: the text field keeps the focus and points here
-          <li key={item.key} id={`${id}${i}`} role="option" aria-selected={i === chosen} onClick={item.pick}>
+          <div key={item.key} id={`${id}${i}`} role="option" aria-selected={i === chosen} onClick={item.pick}>
             <span>{item.show}</span>
             {item.note && <small>{item.note}</small>}
-          </li>
+          </div>
         ))}
-      </ul>
+      </div>
       {found.length === 0 && <p className="hint">{empty}</p>}
     </div>
   );

@@ -82,7 +82,10 @@ const kToast_ms = 7000;
 export function toast(title: string, lines: string[] = [], tone: Toast['tone'] = 'note'): void {
   toasts += 1;
   const id = toasts;
-  set((state) => ({ toasts: [...state.toasts.slice(-2), { id, tone, title, lines }], said: [title, ...lines].join(' ') }));
+  set((state) => ({
+    toasts: [...state.toasts.slice(-2), { id, tone, title, lines }],
+    said: [title, ...lines].join(' '),
+  }));
   setTimeout(() => dismiss(id), kToast_ms);
 }
 

@@ -18,7 +18,9 @@ const kViridis = [
 export function viridis(value: number): [number, number, number] {
   const place = Math.min(1, Math.max(0, value)) * (kViridis.length - 1);
   const below = Math.min(kViridis.length - 2, Math.floor(place));
-  const [r, g, b] = kViridis[below].map((from, i) => Math.round(from + (kViridis[below + 1][i] - from) * (place - below)));
+  const [r, g, b] = kViridis[below].map((from, i) =>
+    Math.round(from + (kViridis[below + 1][i] - from) * (place - below)),
+  );
   return [r, g, b];
 }
 

@@ -75,7 +75,10 @@ export function drawAttempts(view: View, track: RowTrack, t: number, reach_m: nu
     const row = track.rows.values[i];
     if (row[touch] === 1 && before !== 1) {
       view.context.moveTo(view.x(row[cx]), view.y(row[cy]));
-      view.context.lineTo(view.x(row[cx] + reach_m * Math.cos(row[cyaw])), view.y(row[cy] + reach_m * Math.sin(row[cyaw])));
+      view.context.lineTo(
+        view.x(row[cx] + reach_m * Math.cos(row[cyaw])),
+        view.y(row[cy] + reach_m * Math.sin(row[cyaw])),
+      );
     }
     before = row[touch];
   }
@@ -90,7 +93,13 @@ function sector(view: View, x: number, y: number, range_m: number, cone: number,
 }
 
 /** Widening blue arcs out to the reading; nothing in range: dashed; no reading: a grey stub; too close: a red one. */
-function drawCone(view: View, pose: Pose, sensor: RobotInfo['sensors'][number], range: number, colours: WorldColours): void {
+function drawCone(
+  view: View,
+  pose: Pose,
+  sensor: RobotInfo['sensors'][number],
+  range: number,
+  colours: WorldColours,
+): void {
   const [c, s] = [Math.cos(pose.yaw), Math.sin(pose.yaw)];
   const [x, y] = [pose.x + c * sensor.x_m - s * sensor.y_m, pose.y + s * sensor.x_m + c * sensor.y_m];
   const yaw = pose.yaw + sensor.yaw_rad;

@@ -29,9 +29,18 @@ export function Legend({ timeline }: { timeline: Timeline }) {
         <Row mark={<path className="w-trail" d="M2 9h22M18 4l7 5-7 5" />} word={legend.trail} />
         <Row mark={<path className="w-wall" d="M2 9h24" />} word={legend.wall} />
         {furniture && <Row mark={<path className="w-free" d="M6 2h16v14H6z" />} word={legend.static} />}
-        {(scene?.movers.length ?? 0) > 0 && <Row mark={<path className="w-mover" d="M6 2h16v14H6z" />} word={legend.dynamic} />}
-        {sonar && <Row mark={<path className="w-sonar" d="M3 9L25 2a24 24 0 010 14zM14 5.6a12 12 0 010 7" />} word={legend.sonar} />}
-        {timeline.goals.length > 0 && <Row mark={<circle className="w-goal" cx="14" cy="9" r="6" />} word={legend.goal} />}
+        {(scene?.movers.length ?? 0) > 0 && (
+          <Row mark={<path className="w-mover" d="M6 2h16v14H6z" />} word={legend.dynamic} />
+        )}
+        {sonar && (
+          <Row
+            mark={<path className="w-sonar" d="M3 9L25 2a24 24 0 010 14zM14 5.6a12 12 0 010 7" />}
+            word={legend.sonar}
+          />
+        )}
+        {timeline.goals.length > 0 && (
+          <Row mark={<circle className="w-goal" cx="14" cy="9" r="6" />} word={legend.goal} />
+        )}
         {timeline.paths.length > 0 && <Row mark={<path className="w-route" d="M2 14L10 5h16" />} word={legend.route} />}
         {map && <Row mark={<path className="w-attempt" d="M2 9h24" />} word={legend.attempts} />}
         {map && <Row mark={<path className="w-inhibited" d="M8 3l12 12M20 3L8 15" />} word={legend.inhibited} />}

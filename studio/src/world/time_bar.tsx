@@ -14,7 +14,11 @@ export function TimeBar() {
   const first = timeline.times[0] ?? 0;
   return (
     <div className="time-bar">
-      <button type="button" aria-label={playing ? text.world.pause : text.world.play} onClick={() => player.play(!playing)}>
+      <button
+        type="button"
+        aria-label={playing ? text.world.pause : text.world.play}
+        onClick={() => player.play(!playing)}
+      >
         <Icon name={playing ? 'pause' : 'play'} />
       </button>
       <input

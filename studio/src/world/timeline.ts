@@ -60,13 +60,12 @@ class MapTrack {
   at(t: number): MapState | null {
     const wanted = indexAt(this.track.times, t);
     if (wanted === this.shown) return this.state;
-    let from = this.shown + 1;
-    if (wanted < this.shown) from = wanted;
-    for (let i = wanted; i >= from; i -= 1) if (this.track.values[i]?.base === 0) from = i;
-    while (wanted < this.shown && from > 0 && this.track.values[from].base !== 0) from -= 1;
-    if (wanted < 0) this.state = null;
-    for (let i = from; i <= wanted; i += 1) this.apply(this.track.values[i].base, this.track.values[i].grid, i);
+    const start = wanted > this.shown ? this.shown + 1 : 0;
     this.shown = wanted;
+    if (wanted < 0) this.state = null;
+    let from = Math.max(wanted, start);
+    while (from > start && this.track.values[from].base !== 0) from -= 1;
+    for (let i = from; i <= wanted; i += 1) this.apply(this.track.values[i].base, this.track.values[i].grid, i);
     return this.state;
   }
 
@@ -110,7 +109,14 @@ export class Timeline {
     readonly scene: Scene | null,
     readonly info: Info | null,
   ) {
-    for (const stream of streams) this.takers.set(stream.stream, this.taker(stream));
+    this.addStreams(streams);
+  }
+
+  /** Those that are new: maps and routes may come to a run that goes on. */
+  addStreams(streams: Stream[]): void {
+    for (const stream of streams) {
+      if (!this.takers.has(stream.stream)) this.takers.set(stream.stream, this.taker(stream));
+    }
   }
 
   private taker(stream: Stream): (sample: Sample) => void {

@@ -63,7 +63,11 @@ export class View {
     this.centre = [this.centre[0] - dx / this.scale, this.centre[1] + dy / this.scale];
   }
 
-  polygon(points: readonly (readonly [number, number])[], closed: boolean, pose?: readonly [number, number, number]): void {
+  polygon(
+    points: readonly (readonly [number, number])[],
+    closed: boolean,
+    pose?: readonly [number, number, number],
+  ): void {
     const [px, py, yaw] = pose ?? [0, 0, 0];
     const [c, s] = [Math.cos(yaw), Math.sin(yaw)];
     this.context.beginPath();
@@ -112,5 +116,7 @@ export type WorldColours = Record<(typeof kNames)[number], string>;
 /** Colours of the style sheet, as they are now. */
 export function worldColours(): WorldColours {
   const style = getComputedStyle(document.documentElement);
-  return Object.fromEntries(kNames.map((name) => [name, style.getPropertyValue(`--world-${name}`).trim()])) as WorldColours;
+  return Object.fromEntries(
+    kNames.map((name) => [name, style.getPropertyValue(`--world-${name}`).trim()]),
+  ) as WorldColours;
 }

@@ -3,15 +3,15 @@ import { closeRecording, useRun } from '../run/run';
 import { useText } from '../text/text';
 import { onColours } from '../theme/settings';
 import { Icon } from '../ui/icons';
+import { MapPainter } from './draw_map';
+import { poseAt } from './draw_robot';
 import { Drives } from './drives';
 import { Events } from './events';
 import { Legend } from './legend';
 import { paintWorld } from './paint';
 import { player, usePlayer } from './player';
-import { poseAt } from './draw_robot';
 import { TimeBar } from './time_bar';
 import { View, worldColours } from './view';
-import { MapPainter } from './draw_map';
 
 const kZoomStep = 1.3;
 
@@ -50,7 +50,9 @@ function useWorldCanvas(layer: string) {
     const seen = view.current;
     const painter = new MapPainter();
     let colours = worldColours();
-    const paint = player.addPainter((timeline, t, robot) => paintWorld(seen, painter, timeline, t, robot, layer, colours));
+    const paint = player.addPainter((timeline, t, robot) =>
+      paintWorld(seen, painter, timeline, t, robot, layer, colours),
+    );
     const coloured = onColours(() => {
       colours = worldColours();
       player.wake();
@@ -74,7 +76,17 @@ function useWorldCanvas(layer: string) {
   return { canvas, view };
 }
 
-function Tools({ view, layer, layers, setLayer }: { view: { current: View | null }; layer: string; layers: string[]; setLayer(layer: string): void }) {
+function Tools({
+  view,
+  layer,
+  layers,
+  setLayer,
+}: {
+  view: { current: View | null };
+  layer: string;
+  layers: string[];
+  setLayer(layer: string): void;
+}) {
   const text = useText();
   const act = (work: (view: View) => void) => () => {
     if (view.current) work(view.current);
