@@ -25,5 +25,6 @@ void add_plot(CLI::App& program, int& code);
 void add_runs(CLI::App& program, int& code);
 void add_experience(CLI::App& program, int& code);
 void add_schema(CLI::App& program, int& code);
+void add_studio(CLI::App& program, int& code);
 
 }  // namespace ganglion

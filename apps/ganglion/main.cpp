@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
   ganglion::add_runs(program, code);
   ganglion::add_experience(program, code);
   ganglion::add_schema(program, code);
+  ganglion::add_studio(program, code);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -52,7 +52,11 @@ Reply Api::handle(const Call& call) {
     if (!ask.body.is_object()) return failure("BadRequest", "the body must be a JSON object", 400);
   }
   if (ask.text("language") == "es") ask.language = Language::Spanish;
-  return (this->*answer)(ask);
+  try {
+    return (this->*answer)(ask);
+  } catch (const nlohmann::json::exception&) {  // how the library says that a member is of another type
+    return failure("BadRequest", "a member of the body is of another type than it should be", 400);
+  }
 }
 
 std::string Api::Ask::text(const char* key) const {
