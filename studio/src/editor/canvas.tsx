@@ -148,7 +148,7 @@ function Flow() {
   const wiring = useWiring();
   const minimap = useWorkbench((state) => state.minimap);
   const path = useDocument((state) => state.path);
-  const frame = useRef<HTMLElement>(null);
+  const frame = useRef<HTMLDivElement>(null);
   useEffect(() => setCanvas(flow, () => frame.current), [flow]);
   useFitting(frame, path, nodes.length > 0);
   const drop = (event: DragEvent) => {
@@ -163,11 +163,11 @@ function Flow() {
     [text],
   );
   return (
-    // biome-ignore lint/a11y/useSemanticElements: no element is a drawing one walks with arrows
     <div
       role="application"
       className="canvas"
       ref={frame}
+      // biome-ignore lint/a11y/noNoninteractiveTabindex: arrows walk the drawing along its wires
       tabIndex={0}
       aria-label={text.panes.drawing}
       onKeyDown={canvasKey}

@@ -50,8 +50,9 @@ function walk(arrow: Point): void {
   say(text().shell.selected(next));
 }
 
-/** Arrows walk along the wires; with Alt they move what is selected. */
+/** Arrows walk along the wires; with Alt they move what is selected; Escape selects nothing. */
 export function canvasKey(event: KeyboardEvent): void {
+  if (event.key === 'Escape') select([]);
   const arrow = kArrows[event.key];
   if (!arrow || event.ctrlKey || event.metaKey) return;
   event.preventDefault();
