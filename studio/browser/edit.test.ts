@@ -61,7 +61,7 @@ test('a wire let go over empty ground offers only what it fits, and connects it'
   await page.mouse.down();
   await page.mouse.move(500, 650, { steps: 5 });
   await page.mouse.up();
-  await page.getByRole('option').first().waitFor();
+  await page.locator('.options [role=option]').first().waitFor();
   const offered = await page.getByRole('option').allInnerTexts();
   expect(offered.some((one) => one.includes('ClosingSpeed'))).toBe(true);
   expect(offered.some((one) => one.includes('CompassDecoder'))).toBe(false);

@@ -109,7 +109,7 @@ async function find(page: Page, id: string): Promise<void> {
   await onDrawing(page);
   await page.keyboard.press('Control+F');
   await page.keyboard.type(id);
-  await page.getByRole('option').first().waitFor();
+  await page.locator('.options [role=option]').first().waitFor();
   await page.keyboard.press('Enter');
   await page.locator('.right h2', { hasText: id }).waitFor();
 }
@@ -155,7 +155,7 @@ export const kKeyboard: Hand = {
   async add(page, label, id, index) {
     await onDrawing(page);
     await page.keyboard.press(index === 0 ? 'Tab' : 'a');
-    await page.getByRole('option').first().waitFor();
+    await page.locator('.options [role=option]').first().waitFor();
     await page.keyboard.type(label);
     await page.keyboard.press('Enter');
     await page.locator('.box').nth(index).waitFor();

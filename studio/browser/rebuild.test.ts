@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { afterAll, beforeAll, describe, expect, test } from 'vitest';
+import { afterAll, beforeAll, describe, expect, onTestFailed, test } from 'vitest';
 import { build, kNimrod, kPathfinder } from './build';
 import { kKeyboard, kMouse } from './hands';
 import { kLooks, Studio, shot } from './studio';
@@ -23,6 +23,7 @@ describe.each([
     'the shipped %s is rebuilt from an empty drawing',
     async (folder, plan) => {
       const page = await studio.page({ ...kLooks[0].options, viewport: { width: 1600, height: 1000 } });
+      onTestFailed(() => shot(page, `failed_${folder}_${hand}`));
       const file = `${plan.file}_${hand}`;
       await build(page, { ...plan, file }, way);
       await shot(page, `rebuilt_${folder}_${hand}`);

@@ -10,6 +10,8 @@ const kHere = dirname(fileURLToPath(import.meta.url));
 const kRoot = join(kHere, '..', '..');
 export const kShots = join(kHere, '..', 'screenshots');
 
+const kPatience_ms = 10_000;
+
 export interface Looks {
   name: string;
   options: BrowserContextOptions;
@@ -95,6 +97,7 @@ export class Studio {
   async page(options: BrowserContextOptions = kLooks[0].options): Promise<Page> {
     const context = await this.browser.newContext(options);
     const page = await context.newPage();
+    page.setDefaultTimeout(kPatience_ms);
     page.on('pageerror', (error) => {
       throw error;
     });

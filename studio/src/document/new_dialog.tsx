@@ -51,7 +51,7 @@ export function NewDialog() {
       <form onSubmit={submit}>
         <label className="field">
           <span>{text.new.robot}</span>
-          <select value={chosen} onChange={(event) => setRobot(event.target.value)}>
+          <select aria-label={text.new.robot} value={chosen} onChange={(event) => setRobot(event.target.value)}>
             {files?.robots.map((one) => (
               <option key={one.path} value={one.path}>
                 {one.name} ({one.path})

@@ -96,7 +96,7 @@ export function ConnectTo({ id, from }: { id: string; from?: string }) {
         {sources.length > 1 && (
           <label className="field">
             <span>{text.connect.which}</span>
-            <select value={output} onChange={(event) => setOutput(event.target.value)}>
+            <select aria-label={text.connect.which} value={output} onChange={(event) => setOutput(event.target.value)}>
               {sources.map((one) => (
                 <option key={one}>{one}</option>
               ))}

@@ -26,7 +26,7 @@ function Select({ label, value, options, disabled, pick }: SelectProps) {
   return (
     <label className="field">
       <span>{label}</span>
-      <select value={value} disabled={disabled} onChange={(event) => pick(event.target.value)}>
+      <select aria-label={label} value={value} disabled={disabled} onChange={(event) => pick(event.target.value)}>
         {all.map(([one, word]) => (
           <option key={one} value={one}>
             {word}

@@ -31,7 +31,7 @@ function Choice({ label, value, options, none, pick }: ChoiceProps) {
   return (
     <label className="field">
       <span>{label}</span>
-      <select value={value} onChange={(event) => pick(event.target.value)}>
+      <select aria-label={label} value={value} onChange={(event) => pick(event.target.value)}>
         {none !== undefined && <option value="">{none}</option>}
         {options.map((one) => (
           <option key={one.path} value={one.path}>
