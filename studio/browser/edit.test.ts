@@ -62,7 +62,7 @@ test('a wire let go over empty ground offers only what it fits, and connects it'
   await page.mouse.move(500, 650, { steps: 5 });
   await page.mouse.up();
   await page.locator('.options [role=option]').first().waitFor();
-  const offered = await page.getByRole('option').allInnerTexts();
+  const offered = await page.locator('.options [role=option]').allInnerTexts();
   expect(offered.some((one) => one.includes('ClosingSpeed'))).toBe(true);
   expect(offered.some((one) => one.includes('CompassDecoder'))).toBe(false);
   await page.getByRole('option', { name: /ClosingSpeed/ }).click();

@@ -71,9 +71,6 @@ test('steps are undone at once', async () => {
     for (const key of ['ArrowLeft', 'Alt+ArrowDown', 'ArrowRight', 'Alt+ArrowDown']) await page.keyboard.press(key);
   }
   await page.waitForTimeout(2000);
-s(key);
-  }
-  await page.waitForTimeout(2000);
   const took_ms = await page.evaluate(async () => {
     const button = document.querySelectorAll<HTMLButtonElement>('.head > button');
     const times: number[] = [];

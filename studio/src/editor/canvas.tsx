@@ -129,6 +129,7 @@ function useFitting(frame: { current: HTMLElement | null }, path: string, drawn:
     const element = frame.current;
     if (!element) return;
     const look = () => {
+      if (current()?.model.components.length === 0) fitted.current = path; // what is added first stays where it is put
       if (!drawn || fitted.current === path || element.clientWidth === 0) return;
       fitted.current = path;
       requestAnimationFrame(() => void flow.fitView({ padding: 0.06, maxZoom: 1 }));
