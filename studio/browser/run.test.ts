@@ -94,7 +94,7 @@ test('a run is stopped and started again from the start', async () => {
   if ((await state()) !== 'running') await bar('Pause or go on').click();
   await expect.poll(state).toBe('running');
   await bar('Stop').click();
-  await expect.poll(state).toBe('done');
+  await expect.poll(state, { timeout: 10_000 }).toBe('done');
 });
 
 test('who drives and who is suppressed is told for the Nimrod', async () => {

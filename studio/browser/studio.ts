@@ -10,7 +10,7 @@ const kHere = dirname(fileURLToPath(import.meta.url));
 const kRoot = join(kHere, '..', '..');
 export const kShots = join(kHere, '..', 'screenshots');
 
-const kPatience_ms = 10_000;
+const kPatience_ms = 6_000;
 
 export interface Looks {
   name: string;
