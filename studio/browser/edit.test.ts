@@ -133,7 +133,7 @@ test('align puts the chosen at one edge', async () => {
 
 test('a parameter is set and put back to its default by its form', async () => {
   await box(page, 'avoid').locator('.box-names').click();
-  const field = page.locator('.field', { has: page.getByText('commit_s', { exact: true }) });
+  const field = page.locator('.field', { has: page.locator('label', { hasText: /^commit_s/ }) });
   await field.locator('input').fill('3,5');
   await field.locator('input').press('Enter');
   await field.locator('button').click();

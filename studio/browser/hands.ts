@@ -84,9 +84,11 @@ export const kMouse: Hand = {
       return;
     }
     await box(page, id).locator('.box-names').click();
-    const field = page.locator('.right').locator('.field', { has: page.getByText(key, { exact: true }) });
+    const field = page
+      .locator('.right')
+      .locator('.field', { has: page.locator('label', { hasText: new RegExp(`^${key}( \\[|$)`) }) });
     await field.locator('input').fill(value);
-    await page.locator('.right h3').first().click();
+    await field.locator('input').press('Enter');
     await field.locator('button').waitFor();
   },
   async command(page, id, name) {

@@ -31,6 +31,7 @@ const kNodeTypes = { component: ComponentBox };
 const kEdgeTypes = { wire: WireLine };
 /** Above this only boxes in sight are drawn. */
 const kManyBoxes = 300;
+const kOtherWidth = 0.25;
 export const kDragType = 'application/x-ganglion-component';
 
 function wireText(source: string | null, handle: string | null | undefined): string {
@@ -121,17 +122,20 @@ function useWiring() {
   return { start, valid, connect, end };
 }
 
-/** Shows all of a file's drawing once it is there and has a size: on a phone it may be opened out of sight. */
+/** Shows all of a file's drawing once it is there and has a size, and again when it gets quite another width. */
 function useFitting(frame: { current: HTMLElement | null }, path: string, drawn: boolean) {
   const flow = useReactFlow();
-  const fitted = useRef('');
+  const fitted = useRef({ path: '', width: 0 });
   useEffect(() => {
     const element = frame.current;
     if (!element) return;
     const look = () => {
-      if (current()?.model.components.length === 0) fitted.current = path; // what is added first stays where it is put
-      if (!drawn || fitted.current === path || element.clientWidth === 0) return;
-      fitted.current = path;
+      const width = element.clientWidth;
+      // What is added first to an empty drawing stays where it is put.
+      if (current()?.model.components.length === 0) fitted.current = { path, width };
+      const same = fitted.current.path === path && Math.abs(width - fitted.current.width) < kOtherWidth * width;
+      if (!drawn || same || width === 0) return;
+      fitted.current = { path, width };
       requestAnimationFrame(() => void flow.fitView({ padding: 0.06, maxZoom: 1 }));
     };
     const sized = new ResizeObserver(look);

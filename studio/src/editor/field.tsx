@@ -43,8 +43,9 @@ function TextInput({ id, about, given, ...props }: Props & { id: string; about: 
     setWords(shown(given));
     setBad(false);
   }, [given]);
-  const commit = () => {
-    if (words === shown(given)) return setBad(false);
+  /** Enter writes a default out too, so that the file says it. */
+  const commit = (pinned: boolean) => {
+    if (words === shown(given) && !(pinned && props.value === undefined)) return setBad(false);
     const value = parsed(words, props.parameter.type);
     setBad(value === null);
     if (value !== null) props.set(value);
@@ -59,9 +60,9 @@ function TextInput({ id, about, given, ...props }: Props & { id: string; about: 
         aria-invalid={bad || props.problem !== undefined}
         inputMode={props.parameter.type === 'word' ? 'text' : 'decimal'}
         onChange={(event) => setWords(event.target.value)}
-        onBlur={commit}
+        onBlur={() => commit(false)}
         onKeyDown={(event) => {
-          if (event.key === 'Enter') commit();
+          if (event.key === 'Enter') commit(true);
           if (event.key === 'Escape') setWords(shown(given));
         }}
       />

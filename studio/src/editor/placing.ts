@@ -9,7 +9,7 @@ export interface Box {
   from: string[];
 }
 
-const kColumn = 330;
+const kColumn = 370;
 const kGap = 34;
 const kSweeps = 4;
 

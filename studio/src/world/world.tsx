@@ -148,6 +148,8 @@ function RecordingBar() {
 export function World() {
   const text = useText();
   const timeline = usePlayer((state) => state.timeline);
+  // Maps, routes and goals come to a run that goes on: the timeline stays the same object.
+  usePlayer(({ timeline: one }) => one && `${one.maps.length} ${one.paths.length} ${one.goals.length}`);
   const layers = timeline?.maps[0]?.layers ?? [];
   const [layer, setLayer] = useState('label');
   const { canvas, view } = useWorldCanvas(layer);
