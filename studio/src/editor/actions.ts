@@ -6,16 +6,20 @@ import { heightOf, kWidth, portsOf } from './geometry';
 import { arrange, boxesOf, type Point } from './placing';
 
 const kOffset: Point = [30, 30];
+const kAsk_ms = 400;
 let clipboard = '';
+let copying: Promise<void> = Promise.resolve();
 
 function chosen(): string[] {
   return useDocument.getState().selection;
 }
 
-export async function copy(): Promise<void> {
-  const { toml } = await api.copy(place(), chosen());
-  clipboard = toml;
-  await navigator.clipboard?.writeText(toml).catch(() => undefined);
+export function copy(): Promise<void> {
+  copying = api.copy(place(), chosen()).then(async ({ toml }) => {
+    clipboard = toml;
+    await navigator.clipboard?.writeText(toml).catch(() => undefined);
+  });
+  return copying;
 }
 
 export async function cut(): Promise<void> {
@@ -23,9 +27,12 @@ export async function cut(): Promise<void> {
   await remove();
 }
 
-/** What another program put there counts, if the browser lets us read it; else what was copied here. */
+/** What another program put there counts, if the browser lets us read it soon; else what was copied here. */
 async function clipboardText(): Promise<string> {
-  const read = await navigator.clipboard?.readText?.().catch(() => '');
+  await copying.catch(() => undefined);
+  const asked = navigator.clipboard?.readText?.().catch(() => '');
+  const late = new Promise<string>((resolve) => setTimeout(() => resolve(''), kAsk_ms));
+  const read = await Promise.race([asked, late]);
   return read?.includes('[[') ? read : clipboard;
 }
 
