@@ -114,7 +114,7 @@ export class Studio {
 }
 
 export async function open(page: Page, path: string): Promise<void> {
-  if ((page.viewportSize()?.width ?? 0) < 900) {
+  if ((page.viewportSize()?.width ?? 0) <= 900) {
     await page.locator('.phone-tabs button').first().click();
   } else {
     await page.locator('.left .tabs button').first().click();

@@ -34,7 +34,7 @@ export function Menu() {
         <div className="menu-sheet">
           {kMenus.map((menu) => (
             <section key={menu} aria-label={text.menus[menu]}>
-              <h3>{text.menus[menu]}</h3>
+              <h2>{text.menus[menu]}</h2>
               {kCommands
                 .filter((command) => command.menu === menu)
                 .map((command) => (

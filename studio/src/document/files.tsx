@@ -78,7 +78,7 @@ export function FilesPane() {
         {text.commands.new}
       </button>
       <section aria-label={text.files.controllers}>
-        <h3>{text.files.controllers}</h3>
+        <h2>{text.files.controllers}</h2>
         <ul className="plain file-list">
           {files.controllers.map((one) => (
             <li key={one.path}>
@@ -91,11 +91,11 @@ export function FilesPane() {
         </ul>
       </section>
       <section aria-label={text.files.experiments}>
-        <h3>{text.files.experiments}</h3>
+        <h2>{text.files.experiments}</h2>
         <Experiments files={files} />
       </section>
       <section aria-label={text.files.runs}>
-        <h3>{text.files.runs}</h3>
+        <h2>{text.files.runs}</h2>
         <ul className="plain file-list">
           {files.runs.map((run) => (
             <RunLine key={run.path} run={run} />

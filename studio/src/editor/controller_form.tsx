@@ -28,11 +28,11 @@ export function RobotCard({ robot }: { robot: Model['robot'] }) {
   if (!robot.known) return <p className="hint">{text.palette.no_robot}</p>;
   return (
     <section aria-label={text.inspector.robot_says}>
-      <h3>{text.inspector.robot_says}</h3>
+      <h2>{text.inspector.robot_says}</h2>
       <p>
         <b>{robot.name}</b> <small>{robot.path}</small>
       </p>
-      <h4>{text.inspector.channels}</h4>
+      <h3>{text.inspector.channels}</h3>
       <ul className="plain small-print">
         {robot.channels.map((channel) => (
           <li key={channel.name}>
@@ -40,7 +40,7 @@ export function RobotCard({ robot }: { robot: Model['robot'] }) {
           </li>
         ))}
       </ul>
-      <h4>{text.inspector.robot_commands}</h4>
+      <h3>{text.inspector.robot_commands}</h3>
       <ul className="plain small-print">
         {robot.commands.map((command) => (
           <li key={command.name}>

@@ -171,6 +171,7 @@ export function edgesOf(model: Model, before: WireEdge[]): WireEdge[] {
             unit: port?.unit ?? '',
             role: port?.role ?? 'output',
           },
+          ariaLabel: `${wire.text} → ${component.id}.${input.port}`,
           selected: kept?.selected,
           deletable: false,
           focusable: false,

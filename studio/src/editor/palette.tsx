@@ -68,10 +68,10 @@ export function Palette() {
         const list = found.filter((one) => one.class === name);
         return (
           <section key={name} aria-label={text.classes[name]}>
-            <h3 className={`class-${name}`}>
+            <h2 className={`class-${name}`}>
               <ClassMark of={name} />
               {text.classes[name]}
-            </h3>
+            </h2>
             {name === 'sensation' && !model.robot.known && <p className="hint">{text.palette.no_robot}</p>}
             <ul>
               {list.map((one) => (

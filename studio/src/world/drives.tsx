@@ -37,7 +37,7 @@ export function Drives() {
   if (candidates.length === 0) return null;
   return (
     <section className="drives" aria-label={text.world.drives}>
-      <h3>{text.world.drives}</h3>
+      <h2>{text.world.drives}</h2>
       <ul className="plain">
         {candidates.map((one, index) => (
           <li key={one.id} className={`drives-${one.state} look-${index % 8}`}>

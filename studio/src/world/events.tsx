@@ -20,7 +20,7 @@ export function Events() {
   if (all.length === 0) return null;
   return (
     <section className="events" aria-label={text.world.events}>
-      <h3>{text.world.events}</h3>
+      <h2>{text.world.events}</h2>
       <ul className="plain">
         {all.map((one) => (
           <li key={`${one.t} ${one.words}`}>

@@ -22,7 +22,7 @@ export function Legend({ timeline }: { timeline: Timeline }) {
   const furniture = scene?.shapes.some((shape) => shape.class === 'furniture');
   return (
     <section className="legend" aria-label={legend.title}>
-      <h3>{legend.title}</h3>
+      <h2>{legend.title}</h2>
       <ul className="plain">
         <Row mark={<path className="w-body" d="M4 4h14l6 5-6 5H4z" />} word={legend.robot} />
         <Row mark={<circle className="w-start" cx="14" cy="9" r="6" />} word={legend.start} />
