@@ -92,8 +92,9 @@ constexpr const char* kRemarks =
     "Robot-steps per CPU second, one thread, medians of three runs taken in turn with the rival's. The rival is Enki,\n"
     "whose sensors cast three rays each where ours cast one. sonar: 12 x 5 rays and one mirror bounce on smooth "
     "walls,\n"
-    "noise, encoders and compass, every step. Not modelled by us: mass, inertia and friction of bodies; robots block\n"
-    "each other and push nothing over. first_scan: mean of all sensors before the first step, capped at 3 m.\n";
+    "noise, encoders and compass, every step. Not modelled by us: mass, inertia and friction of bodies; robots push\n"
+    "each other slowly, by the slip of their wheels. first_scan: mean of all sensors before the first step, capped at "
+    "3 m.\n";
 
 }  // namespace
 

@@ -1,7 +1,11 @@
-// make_seeds EXPERIMENTS FOLDER: good inputs for the fuzzers to start from, in FOLDER/toml, FOLDER/map and FOLDER/mcap.
+// make_seeds EXPERIMENTS FOLDER: good inputs for the fuzzers to start from, in FOLDER/toml, FOLDER/map, FOLDER/mcap and
+// FOLDER/link_binary, link_json and link_packets.
 #include <cstdio>
 
+#include "fuzz/link/script.h"
 #include "ganglion/base/file.h"
+#include "ganglion/link/fault/frame_cutter.h"
+#include "ganglion/link/testing/bench.h"
 #include "ganglion/record/mcap/fields.h"
 #include "ganglion/record/run_recorder.h"
 
@@ -110,6 +114,119 @@ void seed_mcap(const fs::path& folder) {
   good = good && recorder->finish({.digest = "00", .success = true, .reason = "goal"});
 }
 
+/// The frames in some bytes, each a piece; the first of them some time after what was before.
+void add(fuzz::Script& script, link::Carrier carrier, std::uint8_t wait, std::string_view bytes) {
+  link::FrameCutter cutter(carrier);
+  cutter.feed(bytes);
+  while (auto frame = cutter.next()) script.pieces.push_back({std::exchange(wait, 0), std::move(*frame)});
+}
+
+std::vector<ActFrame> commands(std::uint32_t tick, const RobotDescription& robot) {
+  std::vector<ActFrame> act(2, make_act_frame(robot));
+  for (ActFrame& frame : act) {
+    frame.values = {0.5, -0.25};
+    frame.origins = {tick == 2 ? CommandOrigin::Withdrawn : CommandOrigin::Commanded};
+    frame.reasons = {static_cast<std::uint16_t>(tick == 2 ? 3 : 0)};
+    frame.ttl_s = {tick == 3 ? 0.04 : 0.3};
+  }
+  return act;
+}
+
+/// What both sides of a short session say, as the link targets take it: a greeting, a reset, five ticks, and goodbye.
+void seed_session(const fs::path& folder, const std::string& name, const fuzz::Dialect& dialect, bool free_running) {
+  const link::Carrier carrier = dialect.carrier;
+  link::NotebookRobot robot(2);
+  link::RobotEnd end(robot, nullptr, link::robot_config());
+  link::ControllerEndConfig config{.carrier = carrier, .encoding = dialect.encoding};
+  config.pace = free_running ? link::wire::FREE_RUNNING : link::wire::LOCK_STEP;
+  link::ControllerEnd controller(config);
+  const auto peer = end.open(carrier, "", 0);
+  fuzz::Script to_robot, to_controller;
+  to_controller.to_controller = true;
+  to_robot.free_running = to_controller.free_running = free_running;
+  double now_s = 0;
+  const auto exchange = [&](std::uint8_t wait) {
+    add(to_robot, carrier, wait, controller.outgoing());
+    end.receive(peer, controller.outgoing(), now_s);
+    controller.outgoing().clear();
+    now_s += fuzz::kWait_s * wait;
+    end.poll(now_s);
+    const std::string answer(end.outgoing(peer));
+    end.sent(peer, answer.size(), now_s);
+    add(to_controller, carrier, wait, answer);
+    controller.receive(answer, now_s);
+  };
+  controller.greet(0);
+  controller.connected(0);
+  exchange(0);
+  good = good && controller.done();
+  controller.reset(7, 0, now_s);
+  exchange(0);
+  for (std::uint32_t tick = 0; tick < 5; ++tick) {
+    controller.take_sense();
+    controller.act(commands(tick, robot.description()), 0.1, now_s);
+    if (free_running) controller.await_sense(now_s);
+    exchange(5);
+  }
+  good = good && controller.done();
+  controller.bye("done");
+  exchange(0);
+  keep(folder / (name + "_to_robot"), to_robot.text());
+  keep(folder / (name + "_to_controller"), to_controller.text());
+}
+
+void seed_link(const fs::path& folder) {
+  using link::Carrier;
+  using link::Encoding;
+  for (const bool free_running : {false, true}) {
+    const std::string pace = free_running ? "free" : "lock";
+    seed_session(folder / "link_binary", pace, {Carrier::Stream, Encoding::Binary}, free_running);
+    seed_session(folder / "link_json", pace, {Carrier::Stream, Encoding::Json}, free_running);
+    seed_session(folder / "link_packets", pace, {Carrier::Packets, Encoding::Binary}, free_running);
+    seed_session(folder / "link_packets", pace + "_json", {Carrier::Packets, Encoding::Json}, free_running);
+  }
+}
+
+/// Pieces as fuzz_c_robot.cpp reads them: a session in either pace.
+void seed_c_robot(const fs::path& folder) {
+  for (const auto pace : {link::wire::LOCK_STEP, link::wire::FREE_RUNNING}) {
+    std::string pieces;
+    const auto say = [&pieces](const auto& message) {
+      link::FrameWriter writer(link::Carrier::Stream, link::Encoding::Binary);
+      std::string bytes;
+      good = good && writer.append(message, bytes);
+      const std::string payload = bytes.substr(4);  // without its length
+      pieces += static_cast<char>(payload.size());
+      pieces += payload;
+      pieces += std::string_view("\0\x0a", 2);  // 100 ms
+    };
+    link::wire::Hello hello;
+    hello.set_major(1);
+    hello.set_pace(pace);
+    say(hello);
+    link::wire::Reset reset;
+    reset.set_seed(7);
+    say(reset);
+    link::wire::Beat beat;
+    beat.set_number(300);
+    say(beat);
+    link::wire::Act act;
+    for (std::uint32_t tick = 0; tick < 3; ++tick) {
+      act.set_tick(tick);
+      act.set_ttl_ms(tick * 100);
+      act.set_step_s(0.1 * tick);
+      act.clear_values32();
+      for (const float value : {0.5F, 7.0F}) act.add_values32(value);
+      if (tick == 2) act.add_ttl_s(0.05);
+      say(act);
+    }
+    hello.set_token("ihgfedcb");  // of 0x12345678
+    say(hello);
+    say(link::wire::Bye());
+    keep(folder / std::to_string(pace), pieces);
+  }
+}
+
 }  // namespace
 }  // namespace ganglion
 
@@ -119,5 +236,7 @@ int main(int count, char** words) {
   ganglion::seed_toml(words[1], folder / "toml");
   ganglion::seed_map(folder / "map");
   ganglion::seed_mcap(folder / "mcap");
+  ganglion::seed_link(folder);
+  ganglion::seed_c_robot(folder / "c_robot");
   return ganglion::good ? 0 : 1;
 }

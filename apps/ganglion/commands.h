@@ -16,6 +16,7 @@ enum ExitCode : int {
 /// Each adds its subcommand to the program; the callback leaves its exit code in `code`.
 void add_run(CLI::App& program, int& code);
 void add_sim(CLI::App& program, int& code);
+void add_proxy(CLI::App& program, int& code);
 void add_check(CLI::App& program, int& code);
 void add_format(CLI::App& program, int& code);
 void add_kinds(CLI::App& program, int& code);

@@ -1,3 +1,6 @@
+#include <cstdio>
+#include <new>
+
 #include "commands.h"
 #include "ganglion/run/version.h"
 #include "interrupt.h"
@@ -16,6 +19,7 @@ int main(int argc, char** argv) {
   int code = ganglion::kDone;
   ganglion::add_run(program, code);
   ganglion::add_sim(program, code);
+  ganglion::add_proxy(program, code);
   ganglion::add_check(program, code);
   ganglion::add_format(program, code);
   ganglion::add_kinds(program, code);
@@ -31,6 +35,9 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     const int status = program.exit(error);
     return status == 0 ? ganglion::kDone : ganglion::kBadInput;
+  } catch (const std::bad_alloc&) {
+    std::fputs("out of memory: take fewer robots, threads or seeds, or a smaller world\n", stderr);
+    return ganglion::kBadInput;
   }
   return code;
 }

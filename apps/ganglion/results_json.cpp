@@ -11,6 +11,12 @@ using Json = nlohmann::ordered_json;
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
+/// Nulls where nobody knows.
+Json contacts_json(const Contacts& contacts) {
+  return {{"count", contacts.known ? Json(contacts.count) : Json(nullptr)},
+          {"fastest_mps", contacts.known ? number(contacts.fastest_mps) : Json(nullptr)}};
+}
+
 Json run_json(const RunResult& result) {
   Json measures = Json::object();
   for (const auto& [name, value] : result.measures) measures[name] = number(value);
@@ -18,7 +24,7 @@ Json run_json(const RunResult& result) {
           {"success", result.success},
           {"reason", result.reason},
           {"digest", result.digest},
-          {"contacts", {{"count", result.contacts.count}, {"fastest_mps", number(result.contacts.fastest_mps)}}},
+          {"contacts", contacts_json(result.contacts)},
           {"measures", measures},
           {"files", result.files}};
 }
@@ -58,8 +64,10 @@ std::string results_table(const std::vector<RunResult>& results) {
   std::string text = fmt::format("{:>6}  {:<8}{:<18}{:>9}{:>14}  {}\n", "seed", "success", "digest", "contacts",
                                  "fastest [m/s]", "reason");
   for (const RunResult& result : results) {
-    text += fmt::format("{:>6}  {:<8}{:<18}{:>9}{:>14.3f}  {}\n", result.seed, result.success ? "yes" : "no",
-                        result.digest, result.contacts.count, result.contacts.fastest_mps, result.reason);
+    const bool known = result.contacts.known;
+    text += fmt::format("{:>6}  {:<8}{:<18}{:>9}{:>14}  {}\n", result.seed, result.success ? "yes" : "no",
+                        result.digest, known ? fmt::format("{}", result.contacts.count) : "-",
+                        known ? fmt::format("{:.3f}", result.contacts.fastest_mps) : "-", result.reason);
   }
   text += fmt::format("\n{} of {} succeeded\n{:<26}{:>12}{:>12}{:>12}\n", succeeded(results), results.size(), "measure",
                       "lower", "median", "upper");

@@ -16,6 +16,7 @@
 #include "overrides.h"
 #include "results_json.h"
 #include "say.h"
+#include "watched_run.h"
 
 namespace ganglion {
 namespace {
@@ -38,6 +39,7 @@ struct RunArguments {
   bool json = false;
   bool no_record = false;
   bool no_report = false;
+  bool studio = false;
 };
 
 /// --robot is an application.address.
@@ -235,8 +237,15 @@ int run_one(const Prepared& prepared, const RunArguments& arguments, double pace
     return true;
   };
   options.stop = interrupted;
+  std::unique_ptr<WatchedRun> watched;
+  if (arguments.studio) {
+    auto opened = WatchedRun::open(arguments.experiment, prepared, options);
+    if (!opened) return complain(opened.error());
+    watched = std::move(*opened);
+  }
   auto result = run(prepared, options);
   if (!result) return complain(result.error());
+  if (watched) watched->conclude(*result);
   const int written = keep(prepared, arguments, *result, keeper.get());
   if (print(arguments, {*result}) != kDone) return kOutputFailed;
   if (!arguments.json) {
@@ -246,6 +255,7 @@ int run_one(const Prepared& prepared, const RunArguments& arguments, double pace
     complain(*result->link_lost);
     return kLinkLostCode;
   }
+  if (watched) watched->serve_until_interrupted();
   if (written != kDone) return written;
   return result->success ? kDone : kRobotFailed;
 }
@@ -291,16 +301,23 @@ void add_run(CLI::App& program, int& code) {
                    "matrix: every single fault over the seeds (default 1..20), as a table; pairs: every two as well")
       ->check(CLI::IsMember({"matrix", "pairs"}))
       ->excludes(seed);
-  command->add_option("--robot", arguments->robot,
-                      "tcp://HOST:PORT or serial:///dev/ttyUSB0?baud=115200: drive the robot there");
+  command->add_option(
+      "--robot", arguments->robot,
+      "tcp://HOST:PORT, serial:///dev/ttyUSB0?baud=115200 or serial+tcp://HOST:PORT (a serial line behind "
+      "a socket): drive the robot there");
   command->add_option("--threads", arguments->threads, "Threads for --seeds; default: one for each processor")
       ->check(CLI::Range(1, 256));
-  command->add_option("--pace", arguments->pace, "max, or a multiple of real time: 1x, 0.5x, 20x");
+  auto* pace = command->add_option("--pace", arguments->pace, "max, or a multiple of real time: 1x, 0.5x, 20x");
   command->add_option("--out", arguments->out, "Folder for run files and report; default: runs/NAME");
   command->add_option("--experience", arguments->experience, "Start with what this file remembers, and add to it");
   command->add_option("--language", arguments->language, "Of the report: en or es")->check(CLI::IsMember({"en", "es"}));
   command->add_flag("--json", arguments->json, "Print one JSON object and nothing else");
   command->add_flag("--no-record", arguments->no_record, "Write no run files");
+  command
+      ->add_flag("--studio", arguments->studio,
+                 "Show the run in a browser while it goes, at real time unless --pace says otherwise; ctrl-C ends")
+      ->excludes("--seeds")
+      ->excludes("--faults");
   command->add_flag("--no-report", arguments->no_report, "Write no report");
   command->footer(
       "Examples:\n"
@@ -312,7 +329,8 @@ void add_run(CLI::App& program, int& code) {
       "Exit codes: 0 the robot succeeded (with --seeds: all runs were carried out), 1 it failed, 2 bad input, 3 the "
       "link "
       "to the robot was lost.");
-  command->callback([arguments, seed, &code] {
+  command->callback([arguments, seed, pace, &code] {
+    if (arguments->studio && pace->count() == 0) arguments->pace = "1x";
     arguments->has_seed = seed->count() > 0;
     code = run_command(*arguments);
   });

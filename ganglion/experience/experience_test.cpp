@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sqlite3.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 
 #include <algorithm>
@@ -104,6 +105,29 @@ TEST_F(Experience, SeesEveryDamageInAnExport) {
     flipped[cut] = static_cast<char>(flipped[cut] ^ 4);
     EXPECT_FALSE(import_parts(flipped, "flipped")) << cut;
   }
+}
+
+TEST_F(Experience, OverItsLimitIsNotLoaded) {
+  EXPECT_EQ(*open().commit(std::vector{part("router", "a", "12345"), part("router", "b", "123456")}), 2u);
+  EXPECT_TRUE(ExperienceStore::open(path(), 11)->load_all());
+  const auto refused = ExperienceStore::open(path(), 10)->load_all();
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().text(), path().string() + ": holds 11 bytes; the limit is 10");
+  EXPECT_EQ(refused.error().code, ErrorCode::TooLarge);
+}
+
+TEST_F(Experience, ExportedOverTheLimitIsNotRead) {
+  // More than a GiB of which one page is there.
+  const std::string begin = export_parts({});
+  const std::size_t size = kMaxExperienceBytes + 1;
+  void* const memory =
+      ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  ASSERT_NE(memory, MAP_FAILED);
+  std::copy(begin.begin(), begin.end(), static_cast<char*>(memory));
+  const auto refused = import_parts({static_cast<const char*>(memory), size}, "a.experience");
+  ::munmap(memory, size);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().text(), "a.experience: has 1073741825 bytes; the limit is 1073741824");
 }
 
 TEST_F(Experience, OfANewerProgramIsRefusedInWords) {

@@ -25,22 +25,22 @@ std::int64_t stored_hash(std::span<const std::byte> bytes) noexcept {
 
 }  // namespace
 
-Result<ExperienceStore> ExperienceStore::open(const std::filesystem::path& path) {
+Result<ExperienceStore> ExperienceStore::open(const std::filesystem::path& path, std::uint64_t max_bytes) {
   auto database = Database::open(path, kLayout);
   if (!database) return tl::unexpected(database.error());
-  return ExperienceStore(std::move(*database));
+  return ExperienceStore(std::move(*database), max_bytes);
 }
 
-ExperienceStore::ExperienceStore(Database database) : database_(std::move(database)), now_s_(system_s) {}
+ExperienceStore::ExperienceStore(Database database, std::uint64_t max_bytes)
+    : database_(std::move(database)), max_bytes_(max_bytes), now_s_(system_s) {}
 
 Result<void> ExperienceStore::check_size() const {
   auto sum = database_.prepare("SELECT coalesce(sum(length(bytes)), 0) FROM part");
   if (!sum) return tl::unexpected(sum.error());
   if (const auto row = sum->step(); !row) return tl::unexpected(row.error());
   const auto total = static_cast<std::uint64_t>(sum->integer(0));
-  if (total <= kMaxExperienceBytes) return {};
-  return fail_at({database_.file()}, ErrorCode::TooLarge, "holds {} bytes; the limit is {}", total,
-                 kMaxExperienceBytes);
+  if (total <= max_bytes_) return {};
+  return fail_at({database_.file()}, ErrorCode::TooLarge, "holds {} bytes; the limit is {}", total, max_bytes_);
 }
 
 Result<std::vector<StoredPart>> ExperienceStore::load_all() const {

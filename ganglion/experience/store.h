@@ -28,7 +28,8 @@ struct StoredComponent {
 class ExperienceStore {
  public:
   /// Fails as Database::open() does: clear words for a newer program's file, a damaged one, one of something else.
-  static Result<ExperienceStore> open(const std::filesystem::path& path);
+  /// Of a store that holds more than max_bytes nothing is loaded.
+  static Result<ExperienceStore> open(const std::filesystem::path& path, std::uint64_t max_bytes = kMaxExperienceBytes);
 
   /// Every part, in the order of component and name. Fails with Corrupt where a part does not match its checksum,
   /// TooLarge.
@@ -46,12 +47,13 @@ class ExperienceStore {
   void set_clock(std::function<std::int64_t()> now_s) { now_s_ = std::move(now_s); }
 
  private:
-  explicit ExperienceStore(Database database);
+  ExperienceStore(Database database, std::uint64_t max_bytes);
   Result<void> check_size() const;
   Result<bool> is_stored(Statement& find, const StoredPart& part) const;
   Result<void> write(std::span<const StoredPart* const> parts);
 
   Database database_;
+  std::uint64_t max_bytes_;
   std::function<std::int64_t()> now_s_;
 };
 

@@ -211,8 +211,9 @@ command = "move"
   EXPECT_EQ(rig.signal("upper.told"), static_cast<double>(ReasonCode::Trapped));
 }
 
-TEST(Coordinator, RefusesCandidatesOfAnotherSizeThanItsCommandNeeds) {
-  EXPECT_EQ(testing::problems_of(sensations({"cell", "place"}) + R"([[goal]]
+/// An acting module that commands two values.
+std::string walker() {
+  return sensations({"cell", "place"}) + R"([[goal]]
 id = "wish"
 kind = "Wish"
 values = [1, 2]
@@ -221,7 +222,11 @@ id = "walker"
 kind = "Walker"
 in.goal = "wish"
 in.place = "cell"
-[[coordinator]]
+)";
+}
+
+TEST(Coordinator, RefusesCandidatesOfAnotherSizeThanItsCommandNeeds) {
+  EXPECT_EQ(testing::problems_of(walker() + R"([[coordinator]]
 id = "arbiter"
 kind = "First"
 in.commands = ["walker"]
@@ -231,16 +236,7 @@ command = "move"
 }
 
 TEST(Request, IsRefusedWhereTheModuleAboveCommandsAnotherSize) {
-  EXPECT_EQ(testing::problems_of(sensations({"cell", "place"}) + R"([[goal]]
-id = "wish"
-kind = "Wish"
-values = [1, 2]
-[[acting]]
-id = "walker"
-kind = "Walker"
-in.goal = "wish"
-in.place = "cell"
-[[acting]]
+  EXPECT_EQ(testing::problems_of(walker() + R"([[acting]]
 id = "seeker"
 kind = "Seeker"
 in.goal = "walker"

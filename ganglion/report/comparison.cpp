@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ganglion/base/file.h"
+#include "ganglion/math/quantile.h"
 #include "ganglion/report/dictionary.h"
 #include "ganglion/report/embedded.h"
 #include "ganglion/report/html.h"
@@ -29,7 +30,8 @@ Quartiles quartiles_of(const NamedBatch& batch, const std::string& measure) {
     const auto found = std::ranges::find(run.measures, measure, &std::pair<std::string, double>::first);
     if (found != run.measures.end() && !std::isnan(found->second)) values.push_back(found->second);
   }
-  return {quantile(values, 0.25), quantile(values, 0.5), quantile(values, 0.75), batch.runs.size() - values.size()};
+  return {math::quantile(values, 0.25), math::quantile(values, 0.5), math::quantile(values, 0.75),
+          batch.runs.size() - values.size()};
 }
 
 /// Every measure's name once, in the order it first appears.
@@ -116,16 +118,6 @@ Interval wilson(std::size_t successes, std::size_t runs) noexcept {
   const double half = kZ * std::sqrt(share * (1 - share) / n + kZ * kZ / (4 * n * n));
   const double scale = 1 + kZ * kZ / n;
   return {std::max(0.0, (middle - half) / scale), std::min(1.0, (middle + half) / scale)};
-}
-
-double quantile(std::vector<double> values, double part) {
-  if (values.empty()) return std::nan("");
-  std::ranges::sort(values);
-  const double place = part * static_cast<double>(values.size() - 1);
-  const auto below = std::min(static_cast<std::size_t>(place), values.size() - 1);
-  const double rest = place - static_cast<double>(below);
-  if (rest == 0 || values[below] == values[below + 1]) return values[below];
-  return values[below] + rest * (values[below + 1] - values[below]);
 }
 
 std::string comparison_page(std::span<const NamedBatch> batches, Language language) {

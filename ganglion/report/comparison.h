@@ -30,10 +30,6 @@ struct Interval {
 };
 Interval wilson(std::size_t successes, std::size_t runs) noexcept;
 
-/// The value below which `part` of the values lie, by linear interpolation (Hyndman and Fan's type 7); infinities
-/// count, NaN must not be among them. NaN for none.
-double quantile(std::vector<double> values, double part);
-
 /// A page with the success shares and the quartiles of every measure of several batches side by side. It opens offline.
 std::string comparison_page(std::span<const NamedBatch> batches, plot::Language language = plot::Language::English);
 

@@ -64,14 +64,6 @@ TEST(Wilson, GivesThePublishedInterval) {
   EXPECT_EQ(wilson(0, 0).upper, 1);
 }
 
-TEST(Quantile, InterpolatesBetweenNeighbours) {
-  EXPECT_DOUBLE_EQ(quantile({4, 1, 3, 2}, 0.25), 1.75);
-  EXPECT_DOUBLE_EQ(quantile({4, 1, 3, 2}, 0.5), 2.5);
-  EXPECT_DOUBLE_EQ(quantile({7}, 0.75), 7);
-  EXPECT_EQ(quantile({1, INFINITY, INFINITY}, 0.75), INFINITY);
-  EXPECT_TRUE(std::isnan(quantile({}, 0.5)));
-}
-
 TEST(UnitOf, IsTheSuffixOfTheName) {
   EXPECT_EQ(unit_of("path_m"), "m");
   EXPECT_EQ(unit_of("mean_speed_mps"), "m/s");

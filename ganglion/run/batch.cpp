@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <mutex>
+#include <new>
 #include <thread>
+
+#include "ganglion/math/quantile.h"
 
 namespace ganglion {
 namespace {
@@ -13,15 +15,16 @@ namespace {
 struct Work {
   const Prepared& prepared;
   const BatchOptions& options;
-  std::vector<std::optional<RunResult>> results;
+  std::vector<std::optional<RunResult>> results{};
   std::atomic<std::size_t> next{0};
   std::atomic<bool> stop{false};
-  std::mutex mutex;  // guards what follows
+  std::atomic<bool> out_of_memory{false};
+  std::mutex mutex{};  // guards what follows
   std::size_t done = 0;
-  std::optional<Error> error;
+  std::optional<Error> error{};
 };
 
-void work_through(Work& work) {
+void work_through_seeds(Work& work) {
   while (!work.stop) {
     const std::size_t index = work.next++;
     if (index >= work.results.size()) return;
@@ -46,11 +49,20 @@ void work_through(Work& work) {
   }
 }
 
+/// The same; want of memory is kept for the thread that asked for the batch.
+void work_through(Work& work) noexcept {
+  try {
+    work_through_seeds(work);
+  } catch (const std::bad_alloc&) {
+    work.out_of_memory = work.stop = true;
+  }
+}
+
 }  // namespace
 
 Result<std::vector<RunResult>> run_batch(const Prepared& prepared, const BatchOptions& options) {
   expects(options.last_seed >= options.first_seed);
-  Work work{prepared, options, {}, {}, {}, {}, 0, {}};
+  Work work{prepared, options};
   work.results.resize(options.last_seed - options.first_seed + 1);
   const bool one_robot = !prepared.experiment.link.address.empty();  // only one run at a time can command it
   const unsigned threads = one_robot             ? 1u
@@ -60,6 +72,7 @@ Result<std::vector<RunResult>> run_batch(const Prepared& prepared, const BatchOp
     std::vector<std::jthread> pool;
     for (unsigned i = 0; i < threads; ++i) pool.emplace_back([&work] { work_through(work); });
   }
+  if (work.out_of_memory) throw std::bad_alloc();
   if (work.error) return tl::unexpected<Error>(*work.error);
   std::vector<RunResult> results;
   for (auto& result : work.results) {
@@ -68,24 +81,13 @@ Result<std::vector<RunResult>> run_batch(const Prepared& prepared, const BatchOp
   return results;
 }
 
-double quantile(std::vector<double> values, double p) {
-  std::erase_if(values, [](double value) { return std::isnan(value); });
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  std::sort(values.begin(), values.end());
-  const double at = p * static_cast<double>(values.size() - 1);
-  const auto low = static_cast<std::size_t>(at);
-  const std::size_t high = std::min(low + 1, values.size() - 1);
-  if (values[low] == values[high]) return values[low];  // also where both are infinite
-  return values[low] + (at - static_cast<double>(low)) * (values[high] - values[low]);
-}
-
 std::vector<Quartiles> quartiles(const std::vector<RunResult>& results) {
   std::vector<Quartiles> summary;
   if (results.empty()) return summary;
   for (const auto& [name, first] : results.front().measures) {
     std::vector<double> values;
     for (const RunResult& result : results) values.push_back(measure(result.measures, name));
-    summary.push_back({name, quantile(values, 0.25), quantile(values, 0.5), quantile(values, 0.75)});
+    summary.push_back({name, math::quantile(values, 0.25), math::quantile(values, 0.5), math::quantile(values, 0.75)});
   }
   return summary;
 }

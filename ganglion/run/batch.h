@@ -18,11 +18,10 @@ struct BatchOptions {
 };
 
 /// Runs every seed, in parallel; results stand in order of the seeds, whatever thread did them. A run that could not be
-/// carried out stops the batch with its error.
+/// carried out stops the batch with its error; want of memory in any thread is thrown from here, as std::bad_alloc.
 Result<std::vector<RunResult>> run_batch(const Prepared& prepared, const BatchOptions& options);
 
-/// Lower quartile, median and upper quartile of one measure over a batch, NaN left out (linear interpolation, as R's
-/// type 7).
+/// Lower quartile, median and upper quartile of one measure over a batch, NaN left out (math::quantile).
 struct Quartiles {
   std::string name;
   double lower = 0;
@@ -30,8 +29,5 @@ struct Quartiles {
   double upper = 0;
 };
 std::vector<Quartiles> quartiles(const std::vector<RunResult>& results);
-
-/// The p-quantile of values, 0 <= p <= 1; NaN for none.
-double quantile(std::vector<double> values, double p);
 
 }  // namespace ganglion

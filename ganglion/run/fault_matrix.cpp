@@ -111,13 +111,23 @@ FaultRow row_of(const FaultCase& one, const Experiment& experiment, const std::v
 
 }  // namespace
 
-std::vector<FaultCase> fault_cases(const Prepared& prepared, bool pairs) {
+Result<std::vector<FaultCase>> fault_cases(const Prepared& prepared, bool pairs) {
   std::vector<FaultCase> cases = {{"healthy", {}}};
   const std::vector<Fault> singles = single_faults(prepared);
+  if (singles.size() >= kMaxFaultCases)
+    return fail(ErrorCode::TooLarge,
+                "the sensors that the controller uses allow {} single faults; the limit is {} cases: write those of "
+                "interest as [[fault]] in the experiment",
+                singles.size(), kMaxFaultCases);
   for (const Fault& one : singles) cases.push_back({one.text(), {one}});
   for (std::size_t a = 0; pairs && a < singles.size(); ++a) {
     for (std::size_t b = a + 1; b < singles.size(); ++b) {
       if (overlap(singles[a].target, singles[b].target)) continue;
+      if (cases.size() == kMaxFaultCases)
+        return fail(ErrorCode::TooLarge,
+                    "{} single faults make more than {} cases in pairs: try them one by one (--faults matrix), and "
+                    "write the pairs of interest as [[fault]] in the experiment",
+                    singles.size(), kMaxFaultCases);
       cases.push_back({singles[a].text() + " + " + singles[b].text(), {singles[a], singles[b]}});
     }
   }
@@ -125,7 +135,9 @@ std::vector<FaultCase> fault_cases(const Prepared& prepared, bool pairs) {
 }
 
 Result<std::vector<FaultRow>> run_fault_matrix(const Prepared& prepared, const BatchOptions& options, bool pairs) {
-  const std::vector<FaultCase> cases = fault_cases(prepared, pairs);
+  const auto made = fault_cases(prepared, pairs);
+  if (!made) return tl::unexpected<Error>(made.error());
+  const std::vector<FaultCase>& cases = *made;
   std::vector<FaultRow> rows;
   const std::size_t each = options.last_seed - options.first_seed + 1;
   bool stopped = false;

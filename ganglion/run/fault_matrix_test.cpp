@@ -26,7 +26,7 @@ std::vector<std::string> names_of(const std::vector<FaultCase>& cases) {
 }
 
 TEST(FaultCases, AreEveryFaultOfWhatTheControllerUses) {
-  const auto names = names_of(fault_cases(nimrod(1), false));
+  const auto names = names_of(*fault_cases(nimrod(1), false));
   const std::vector<std::string> expected = {"healthy",
                                              "sonar_left dead",
                                              "sonar_left stuck",
@@ -54,11 +54,31 @@ TEST(FaultCases, AreEveryFaultOfWhatTheControllerUses) {
 }
 
 TEST(FaultCases, PairFaultsOfDifferentSignals) {
-  const auto names = names_of(fault_cases(nimrod(1), true));
+  const auto names = names_of(*fault_cases(nimrod(1), true));
   EXPECT_TRUE(std::ranges::count(names, "sonar_left dead + sonar_right dead"));
   EXPECT_TRUE(std::ranges::count(names, "drive.left weak 0.5 + drive.right weak 0.5"));
   EXPECT_FALSE(std::ranges::count(names, "sonar_left dead + sonar_left stuck"));
   EXPECT_FALSE(std::ranges::count(names, "sonar_left dead + sonar_left.range biased 0.1"));
+}
+
+TEST(FaultCases, OfVeryManySensorsAreRefused) {
+  // 60 sonars have 300 faults of their own and 1770 swaps: hundreds of thousands of pairs.
+  Prepared prepared = nimrod(1);
+  sim::RobotModel robot = *prepared.robot;
+  const SensationChannel sonar = robot.description.sensations.front();
+  for (int n = 0; n < 60; ++n) {
+    robot.description.sensations.push_back(sonar);
+    robot.description.sensations.back().name = fmt::format("more_{}.range", n);
+    prepared.controller.components.push_back({.id = {}, .channel = fmt::format("more_{}.range", n)});
+  }
+  prepared.robot = std::make_shared<const sim::RobotModel>(std::move(robot));
+  EXPECT_TRUE(fault_cases(prepared, false));
+  const auto pairs = run_fault_matrix(prepared, {}, true);
+  ASSERT_FALSE(pairs);
+  EXPECT_EQ(pairs.error().code, ErrorCode::TooLarge);
+  EXPECT_NE(pairs.error().message.find("more than 20000 cases in pairs: try them one by one (--faults matrix)"),
+            std::string::npos)
+      << pairs.error().message;
 }
 
 TEST(FaultMatrix, CountsWhatEachCriterionOfSuccessSays) {
@@ -117,7 +137,7 @@ TEST(NimrodsTrial, PassesTheBoxWithTheHeldCourseAndSwingsBeforeItWithout) {
 }
 
 /// The problems of Nimrod's experiment with this text behind it.
-std::string problems_with(const std::string& text) {
+std::string problems_with(const std::string& text, const std::vector<config::Override>& overrides = {}) {
   const fs::path file = kNimrod / "experiment.toml";
   std::ifstream in(file);
   std::string all{std::istreambuf_iterator<char>(in), {}};
@@ -127,16 +147,36 @@ std::string problems_with(const std::string& text) {
     fs::copy_file(kNimrod / name, folder / name, fs::copy_options::overwrite_existing);
   std::ofstream(folder / "experiment.toml") << all << text;
   Problems problems;
-  prepare(folder, {}, problems);
+  prepare(folder, overrides, problems);
   std::string said = problems.text();
   for (std::size_t at; (at = said.find(folder.string() + "/")) != std::string::npos;)
     said.erase(at, folder.string().size() + 1);
   return said.substr(0, said.find('\n'));
 }
 
+std::string after_place(const std::string& text) { return text.substr(text.find(": ") + 2); }
+
+TEST(FaultFile, WithTooManyFaultsIsRefused) {
+  std::string faults;
+  for (int n = 0; n < 64; ++n) faults += "[[fault]]\ntarget = \"compass\"\nkind = \"stuck\"\n";
+  EXPECT_EQ(problems_with(faults), "");
+  EXPECT_EQ(after_place(problems_with(faults + "[[fault]]\ntarget = \"compass\"\nkind = \"stuck\"\n")),
+            "there are 65 faults; the limit is 64");
+}
+
+TEST(FaultFile, WithTooMuchToRememberIsRefused) {
+  // A frame has 6 values: 20 s at 0.1 s are 200 ticks * 6 * 8 bytes * 10,000 robots = 92 MiB. Three are over 256.
+  const std::string late = "[[fault]]\ntarget = \"frames\"\nkind = \"late\"\namount = 20\n";
+  const std::vector<config::Override> army = {{"application.robots", "10000"}};
+  EXPECT_EQ(problems_with(late + late, army), "");
+  const std::string said = problems_with(late + late + late, army);
+  EXPECT_TRUE(said.starts_with("experiment.toml:")) << said;
+  EXPECT_NE(said.find("the limit is 256: take shorter delays, fewer faults or fewer robots"), std::string::npos)
+      << said;
+}
+
 TEST(FaultFile, IsReadAndItsSlipsAreLocated) {
   EXPECT_EQ(problems_with("[[fault]]\ntarget = \"compass\"\nkind = \"stuck\"\nfrom_s = [1, 2]\nto_s = 9\n"), "");
-  const auto after_place = [](const std::string& text) { return text.substr(text.find(": ") + 2); };
   EXPECT_EQ(after_place(problems_with("[[fault]]\ntarget = \"compas\"\nkind = \"stuck\"\n")),
             "\"compas\" is no sensor, channel or command of the robot; did you mean \"compass\"?");
   EXPECT_EQ(after_place(problems_with("[[fault]]\ntarget = \"compass\"\nkind = \"lost\"\n")),

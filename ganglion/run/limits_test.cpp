@@ -5,6 +5,7 @@
 
 #include "ganglion/base/file.h"
 #include "ganglion/graph/model.h"
+#include "ganglion/record/mcap/reader.h"
 #include "ganglion/record/mcap/writer.h"
 #include "ganglion/run/check_file.h"
 #include "ganglion/sim/robot/robot_reader.h"
@@ -72,6 +73,30 @@ TEST_F(Limits, OfARobotsParts) {
             "there are 1025 of [[sensor]]; the limit is 1024");
 }
 
+TEST_F(Limits, OfTheValuesOfAController) {
+  // 300 values and their age: 3483 sensations have 1,048,383 values, with the next one they are over 2^20.
+  const std::string names = repeated(300, [](std::size_t i) { return fmt::format("\"e{}\", ", i); });
+  ASSERT_TRUE(write_file(
+      folder_ / "wide.toml",
+      "format = 1\nname = \"wide\"\ntick_s = 0.1\n[body]\nlength_m = 1\nwidth_m = 1\n[[sensation]]\nname = \"w\"\n"
+      "elements = [" +
+          names + "]\n"));
+  const auto sensation = [](std::size_t i) { return fmt::format("[[sensation]]\nid = \"s{}\"\nchannel = \"w\"\n", i); };
+  const std::string head = "format = 1\nrobot = \"wide.toml\"\n";
+  EXPECT_EQ(complaint("c.toml", head + repeated(kMaxValues / 301 + 1, sensation)),
+            "s3483: with it the signals have more than 1048576 values");
+}
+
+TEST_F(Limits, OfATrainersGoals) {
+  const std::string body =
+      "format = 1\nname = \"r\"\n[body]\nlength_m = 0.2\nwidth_m = 0.2\n[drive]\nkind = \"Stepper\"\n"
+      "[[sensor]]\nid = \"trainer\"\nkind = \"Trainer\"\ncells = [";
+  EXPECT_NE(
+      complaint("r.toml", body + repeated(10'001, [](std::size_t i) { return fmt::format("{}, 0, ", i); }) + "]\n")
+          .find("cells has 10001 goals; the limit is 10000"),
+      std::string::npos);
+}
+
 TEST_F(Limits, OfAWorld) {
   const auto world = [this](std::size_t count, const std::function<std::string(std::size_t)>& make) {
     return complaint("w.toml", "format = 1\nname = \"w\"\n" + repeated(count, make));
@@ -84,6 +109,10 @@ TEST_F(Limits, OfAWorld) {
     return fmt::format("[[disc]]\nx_m = {}\ny_m = {}\nradius_m = 0.2\n", i % 200, i / 200);
   };
   expect_limit(world(sim::kMaxDiscs + 1, disc), sim::kMaxDiscs + 1, sim::kMaxDiscs);
+  const auto mover = [](std::size_t i) {
+    return fmt::format("[[mover]]\nid = \"m{}\"\nradius_m = 0.2\nplaces = [[0, 0]]\n", i);
+  };
+  expect_limit(world(sim::kMaxMovers + 1, mover), sim::kMaxMovers + 1, sim::kMaxMovers);
   const auto spawn = [](std::size_t i) { return fmt::format("[[spawn]]\nid = \"s{}\"\nx_m = 0\ny_m = 0\n", i); };
   expect_limit(world(sim::kMaxSpawns + 1, spawn), sim::kMaxSpawns + 1, sim::kMaxSpawns);
   const std::string points =
@@ -127,6 +156,36 @@ TEST_F(Limits, OfARunFilesMessages) {
   ASSERT_FALSE(closed);
   EXPECT_EQ(closed.error().message, "a message of 67108865 bytes at 5 ns was left out; the limit is 67108864");
   EXPECT_TRUE(fs::exists(folder_ / "a.mcap"));
+}
+
+/// Why the run file at that path is not read.
+std::string refusal(const fs::path& path) {
+  const auto read = read_mcap(path, Recover::No, {});
+  if (read) return "none";
+  EXPECT_EQ(read.error().code, ErrorCode::TooLarge);
+  EXPECT_EQ(read.error().place.file, path.string());
+  return read.error().message;
+}
+
+TEST_F(Limits, OfARunFilesDefinitions) {
+  McapWriterOptions options;
+  options.durable = false;
+  auto writer = *McapWriter::create(folder_ / "a.mcap", std::move(options));
+  for (int n = 0; n < 3; ++n) writer.metadata("big", {{"words", std::string(mcap::kMaxDefinitionBytes / 3, 'a')}});
+  ASSERT_TRUE(writer.close());
+  const std::string said = refusal(folder_ / "a.mcap");
+  EXPECT_TRUE(said.ends_with(": over 67108864 bytes of schemas, channels and metadata")) << said;
+  EXPECT_TRUE(said.starts_with("byte 447")) << said;  // behind two thirds of them
+}
+
+TEST_F(Limits, OfARunFilesAttachments) {
+  McapWriterOptions options;
+  options.durable = false;
+  auto writer = *McapWriter::create(folder_ / "a.mcap", std::move(options));
+  for (std::size_t n = 0; n <= mcap::kMaxAttachments; ++n) writer.attach("a", "text/plain", "");
+  ASSERT_TRUE(writer.close());
+  const std::string said = refusal(folder_ / "a.mcap");
+  EXPECT_TRUE(said.ends_with(": over 65536 attachments")) << said;
 }
 
 }  // namespace

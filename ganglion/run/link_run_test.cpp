@@ -10,6 +10,7 @@
 
 #include "ganglion/base/file.h"
 #include "ganglion/link/net/lines.h"
+#include "ganglion/link/net/proxy.h"
 #include "ganglion/link/net/server.h"
 #include "ganglion/record/run_file.h"
 #include "ganglion/run/run_robots.h"
@@ -163,6 +164,57 @@ TEST(LinkRun, GivesTheDigestOfAHundredRobots) {
   expect_same_over_every_link("nimrod", {"run.duration_s=5", "run.free_ground=false", "application.robots=100",
                                          "application.world=" + world.string()});
   fs::remove(world);
+}
+
+/// Latency and loss as an experiment has them.
+Prepared with_faults(Prepared prepared) {
+  const auto add = [&prepared](const char* target, FaultKind kind, double amount) {
+    Fault fault;
+    fault.target = target;
+    fault.kind = kind;
+    fault.amount = amount;
+    prepared.experiment.faults.push_back(fault);
+  };
+  add("frames", FaultKind::Late, 0.2);
+  add("frames", FaultKind::Lost, 0.2);
+  add("commands", FaultKind::Lost, 0.1);
+  return prepared;
+}
+
+TEST(LinkRun, SuffersTheFaultsOfItsExperimentAsInProcess) {
+  const Sets sets = {"run.duration_s=30"};
+  const Prepared here = prepared("nimrod", sets);
+  const std::string expected = digest(with_faults(here));
+  EXPECT_NE(expected, digest(here));
+  const Served served(here, "127.0.0.1:0");
+  const Prepared remote = prepared("nimrod", {sets[0], "application.address=" + served.address()});
+  EXPECT_EQ(digest(with_faults(remote)), expected);
+}
+
+TEST(LinkRun, GivesItsDigestAndAWholeFileThroughAFaultyLine) {
+  const Sets sets = {"run.duration_s=20"};
+  const Prepared here = prepared("nimrod", sets);
+  const Served served(here, "127.0.0.1:0");
+  auto proxy = link::Proxy::listen({*link::parse_address("127.0.0.1:0"),
+                                    *link::parse_address(served.address()),
+                                    *link::parse_line_faults("merge=1%,split=30%; fin=1%,rst=1%"),
+                                    3,
+                                    {}});
+  ASSERT_TRUE(proxy) << proxy.error().message;
+  const std::jthread thread(
+      [&proxy](const std::stop_token& stop) { (*proxy)->serve([&stop] { return stop.stop_requested(); }); });
+  const Prepared remote = prepared("nimrod", {sets[0], "application.address=" + (*proxy)->address().text});
+  RunOptions options;
+  options.seed = 5;
+  options.run_file = fs::temp_directory_path() / fmt::format("ganglion_link_proxy_{}.mcap", ::getpid());
+  const auto result = run(remote, options);
+  ASSERT_TRUE(result) << result.error().text();
+  EXPECT_FALSE(result->link_lost);
+  EXPECT_EQ(result->digest, digest(here));
+  const auto file = RunFile::read(options.run_file);
+  ASSERT_TRUE(file) << file.error().text();
+  EXPECT_EQ(file->table("/robot0/signals")->rows(), 200u);  // of 20 s at 0.1 s
+  fs::remove(options.run_file);
 }
 
 TEST(LinkRun, LeavesAWholeFileWhenTheRobotGoesAway) {

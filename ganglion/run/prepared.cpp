@@ -1,5 +1,6 @@
 #include "ganglion/run/prepared.h"
 
+#include "ganglion/application/fault/faulty_application.h"
 #include "ganglion/base/file.h"
 #include "ganglion/graph/digest.h"
 #include "ganglion/graph/order.h"
@@ -45,6 +46,17 @@ std::shared_ptr<const sim::Ground> load_ground(const Experiment& experiment, Pro
   if (experiment.files.world.empty()) return open_ground(problems);
   auto ground = sim::Ground::load(experiment.files.world, problems, experiment.world_overrides);
   return ground ? std::make_shared<const sim::Ground>(std::move(*ground)) : nullptr;
+}
+
+/// Every fault that names nothing; then what all of them together come to.
+void check_faults(const Experiment& experiment, const RobotDescription& robot, double step_s, Problems& problems) {
+  bool sound = true;
+  for (const Fault& fault : experiment.faults) {
+    if (const auto site = site_of(fault, robot); !site) problems.add(site.error()), sound = false;
+  }
+  if (!sound) return;
+  if (const auto plans = plan_faults(experiment.faults, robot, experiment.robots, step_s); !plans)
+    problems.add(plans.error());
 }
 
 }  // namespace
@@ -98,15 +110,14 @@ std::optional<Prepared> prepare(const std::filesystem::path& path, const std::ve
   prepared.robot = load_robot(experiment, problems);
   const RobotDescription* description = prepared.robot != nullptr ? &prepared.robot->description : nullptr;
   auto model = load_controller(experiment.files.controller, experiment.controller_overrides, description, problems);
-  for (const Fault& fault : experiment.faults) {
-    if (description == nullptr) break;
-    if (const auto site = site_of(fault, *description); !site) problems.add(site.error());
-  }
   prepared.ground = load_ground(experiment, problems);
   if (experiment.free_ground) prepared.open_ground = open_ground(problems);
+  if (description != nullptr) {
+    prepared.step_s = model && model->tick_s > 0 ? model->tick_s : description->tick_s;
+    check_faults(experiment, *description, prepared.step_s, problems);
+  }
   if (!problems.empty() || !model || prepared.ground == nullptr) return std::nullopt;
   prepared.controller = std::move(*model);
-  prepared.step_s = prepared.controller.tick_s > 0 ? prepared.controller.tick_s : prepared.robot->description.tick_s;
   prepared.controller_hash = hash_of(experiment.files.controller, experiment.controller_overrides);
   return prepared;
 }

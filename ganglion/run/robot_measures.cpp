@@ -49,6 +49,7 @@ RobotMeasures::RobotMeasures(const sim::Ground& ground, const sim::Truth* start,
   far_wall_m_ = ground.far_wall_m(start_, course_);
   reach_m_ = far_wall_m_ - radius_m - kFarWallMargin_m;
   at_far_wall_ = reach_m_ <= 0;
+  slopes_ = std::ranges::any_of(ground.plan().floor.zones, [](const sim::FloorZone& zone) { return zone.grade > 0; });
 }
 
 void RobotMeasures::find_signals(const Controller& controller) {
@@ -77,6 +78,9 @@ void RobotMeasures::witness(double step_s, const sim::Truth& truth, std::span<co
   } else {
     dwell_.add(time_s_, truth.pose.position);
   }
+  step_s_ = step_s;
+  if (truth.stalled) ++stalled_ticks_;
+  if (truth.tipped) ++tipped_ticks_;
   visited_.insert(square_of(truth.pose.position));
   last_ = truth;
   follow_course(truth);
@@ -110,6 +114,10 @@ void RobotMeasures::report(Measures& into) const {
   if (free_ground_ != nullptr) put("progress_ratio", progress_ratio_);
   put("dwell_s", dwell_.longest_s());
   put("explored_m2", static_cast<double>(visited_.size()) * kSquare_m * kSquare_m);
+  if (slopes_) {
+    put("stalled_s", stalled_ticks_ * step_s_);
+    put("tipped_s", tipped_ticks_ * step_s_);
+  }
   for (const Share& share : shares_) {
     into.emplace_back(share.name, ticks_ > 0 ? share.ticks / static_cast<double>(ticks_) : 0);
   }

@@ -31,6 +31,7 @@ using FreeGround = std::vector<double>;
 ///   progress_ratio        until the far wall: progress made / progress that free ground would have given in that time
 ///   dwell_s               longest time within some disc of 0.5 m; not while it stands still, `stuck` or `blind`
 ///   explored_m2           area of the 0.25 m squares the centre has been in
+///   stalled_s, tipped_s   where the floor has slopes: time on ground too steep to climb, time fallen over
 ///   <id>_share            for each candidate of a coordinator the share of ticks it drove
 class RobotMeasures {
  public:
@@ -66,6 +67,10 @@ class RobotMeasures {
   double progress_m_ = 0;
   double progress_ratio_ = 1;
   bool at_far_wall_ = false;
+  bool slopes_ = false;
+  double step_s_ = 0;
+  double stalled_ticks_ = 0;
+  double tipped_ticks_ = 0;
   Dwell dwell_{0.5, 1};
   std::unordered_set<std::uint64_t> visited_;  ///< Only counted, never walked through.
 };

@@ -276,7 +276,8 @@ Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
     if (!course->robots().free_running()) pace.wait_until(time_s);
   }
   result.measures = measured.measures(*course);
-  for (int i = 0; i < prepared.experiment.robots && course->witness() != nullptr; ++i) {
+  result.contacts.known = course->witness() != nullptr;
+  for (int i = 0; i < prepared.experiment.robots && result.contacts.known; ++i) {
     const sim::Truth& truth = course->witness()->truth(i);
     result.contacts.count += truth.contacts;
     result.contacts.fastest_mps = std::max(result.contacts.fastest_mps, truth.fastest_contact_mps);

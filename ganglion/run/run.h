@@ -30,6 +30,7 @@ struct RunOptions {
 };
 
 struct Contacts {
+  bool known = true;  ///< False where only the robots' own sensors tell of them.
   int count = 0;
   double fastest_mps = 0;
 };

@@ -67,8 +67,9 @@ Result<RunRobots> RunRobots::reach(const Prepared& prepared, const RunOptions& o
   auto remote = link::RemoteApplication::connect(link::make_line(*parsed), prepared.robot->description,
                                                  prepared.experiment.robots, config);
   if (!remote && robots.program_ != nullptr) {
-    return fail(ErrorCode::LinkLost, "{}\n{} said (all of it is in {}):\n{}", remote.error().message,
-                choice.program.front(), robots.program_->output().string(), robots.program_->last_words());
+    return fail(ErrorCode::LinkLost, "{} {} and last said: {} (all of it is in {}); {}", choice.program.front(),
+                robots.program_->ended() ? "ended" : "runs", robots.program_->last_words(),
+                robots.program_->output().string(), remote.error().message);
   }
   if (!remote) return tl::unexpected<Error>(remote.error());
   robots.remote_ = remote->get();

@@ -55,6 +55,17 @@ std::vector<std::string> digests(const Prepared& prepared, std::uint64_t last_se
   return list;
 }
 
+TEST(TheYard, IsCrossedWithAllSensorsOnAndRepeats) {
+  const Prepared yard = prepared(kExperiments / "yard", {});
+  const RunResult first = result_of(yard, 1), again = result_of(yard, 1), other = result_of(yard, 2);
+  EXPECT_TRUE(first.success) << first.reason;
+  EXPECT_EQ(components(first), components(again));
+  EXPECT_NE(first.digest, other.digest);
+  const RunResult weak = result_of(prepared(kExperiments / "yard", {set("application.robot.body.climb_deg", "6")}), 1);
+  EXPECT_LT(measure(weak.measures, "progress_m"), 4.7);  // the ramp of 8 deg begins at 4.5 m; its foot, not its top
+  EXPECT_GT(measure(weak.measures, "stalled_s"), 60);
+}
+
 TEST(SameBits, OnOneThreadAndOnTwo) {
   const Prepared office = nimrod(20);
   const auto one = digests(office, 6, 1);

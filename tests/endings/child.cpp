@@ -21,6 +21,12 @@ void redirect(int descriptor, const fs::path& file) {
   if (fd < 0 || ::dup2(fd, descriptor) < 0) ::_exit(126);
 }
 
+template <class Resource>
+void limit(Resource resource, std::uint64_t bytes) {
+  const rlimit most{bytes, bytes};
+  if (bytes > 0 && ::setrlimit(resource, &most) != 0) ::_exit(126);
+}
+
 }  // namespace
 
 Child::Child(const fs::path& folder, std::vector<std::string> words) : Child(folder, std::move(words), Limits()) {}
@@ -34,10 +40,8 @@ Child::Child(const fs::path& folder, std::vector<std::string> words, const Limit
   if (pid_ != 0) return;
   redirect(STDOUT_FILENO, limits.output != nullptr ? fs::path(limits.output) : folder_ / "out");
   redirect(STDERR_FILENO, folder_ / "err");
-  if (limits.file_bytes > 0) {
-    const rlimit most{limits.file_bytes, limits.file_bytes};
-    if (::setrlimit(RLIMIT_FSIZE, &most) != 0) ::_exit(126);
-  }
+  limit(RLIMIT_FSIZE, limits.file_bytes);
+  limit(RLIMIT_AS, limits.memory_bytes);
   ::execv(arguments[0], arguments.data());
   ::_exit(127);
 }

@@ -13,8 +13,9 @@ namespace ganglion {
 class Child {
  public:
   struct Limits {
-    std::uint64_t file_bytes = 0;  ///< Largest file it may write; 0 = any.
-    const char* output = nullptr;  ///< Where standard output goes instead.
+    std::uint64_t file_bytes = 0;    ///< Largest file it may write; 0 = any.
+    std::uint64_t memory_bytes = 0;  ///< Address space it may take; 0 = any.
+    const char* output = nullptr;    ///< Where standard output goes instead.
   };
   Child(const std::filesystem::path& folder, std::vector<std::string> words);
   Child(const std::filesystem::path& folder, std::vector<std::string> words, const Limits& limits);

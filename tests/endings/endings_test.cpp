@@ -92,6 +92,21 @@ TEST_F(Endings, OnAFullDiskTellTheResultAndLeaveWhatWasWritten) {
   EXPECT_TRUE(RunFile::read(folder_ / "saved.mcap"));
 }
 
+TEST_F(Endings, WithoutMemoryAreToldInOneSentence) {
+#ifdef GANGLION_SHADOW_MEMORY
+  GTEST_SKIP() << "NOT TESTED here: a sanitizer needs more address space than the limit leaves";
+#endif
+  ASSERT_TRUE(write_file(folder_ / "field.toml", "format = 1\narea = [0, 0, 500, 500]\n"));
+  for (const std::string option : {"--seed=1", "--seeds=1..4"}) {  // in the first thread, and in those of a batch
+    Child program(folder_,
+                  {"run", kNimrod, option, "--no-record", "--set", "application.robots=10000", "--set",
+                   "run.duration_s=1", "--set", "application.world=" + (folder_ / "field.toml").string()},
+                  {.memory_bytes = std::uint64_t{200} << 20});
+    EXPECT_EQ(program.wait(), 2);
+    EXPECT_EQ(program.err(), "out of memory: take fewer robots, threads or seeds, or a smaller world\n");
+  }
+}
+
 TEST_F(Endings, WithoutAPlaceToWriteToAreTold) {
   ASSERT_TRUE(write_file(folder_ / "file", "in the way"));
   Child run(folder_, {"run", kNimrod, "--set", "run.duration_s=1", "--out", folder_ / "file" / "runs"});

@@ -13,12 +13,8 @@ enum Input : std::size_t { kLeft, kRight, kEscaping };
 enum Output : std::size_t { kDifference, kSide };
 
 constexpr std::array kPorts = {
-    PortDescriptor{.name = "left",
-                   .unit = "m",
-                   .help = {"Range of the left front sonar", "Distancia del sonar delantero izquierdo"}},
-    PortDescriptor{.name = "right",
-                   .unit = "m",
-                   .help = {"Range of the right front sonar", "Distancia del sonar delantero derecho"}},
+    subsumption::sonar_port(true),
+    subsumption::sonar_port(false),
     PortDescriptor{.name = "escaping",
                    .type = ValueType::Discrete,
                    .required = false,
@@ -139,13 +135,7 @@ constexpr std::array kParameters = {
                         .help = {"Both sides are about equal while they differ by less than this",
                                  "Ambos lados son casi iguales si difieren en menos que esto"},
                         .ours = true},
-    ParameterDescriptor{.name = "one_sonar_share",
-                        .preset = 0.5,
-                        .min = 0,
-                        .max = 1,
-                        .help = {"Share of the speed ahead while one sonar is dead",
-                                 "Parte de la velocidad de avance con un sonar muerto"},
-                        .ours = true},
+    subsumption::kOneSonarShareParameter,
 };
 
 }  // namespace

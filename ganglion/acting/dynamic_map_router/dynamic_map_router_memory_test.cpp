@@ -1,30 +1,14 @@
 // What AmDmr keeps and shows: experience saved and loaded, exhibits for onlookers.
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include "ganglion/acting/dynamic_map_router/grid_bot.h"
-#include "ganglion/module/testing/allocations.h"
 
 namespace ganglion {
 namespace {
 
-using grid::Label;
-using grid::Nature;
 using testing::Drive;
 using testing::GridBot;
-using testing::RequestBench;
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInf = std::numeric_limits<double>::infinity();
-
-GridBot open_ground(int column = 5, int row = 5, int side = 12) {
-  const auto n = static_cast<std::size_t>(side);
-  GridBot bot(std::vector<std::string>(n, std::string(n, '.')));
-  bot.column = column;
-  bot.row = row;
-  return bot;
-}
+using testing::open_ground;
 
 TEST(DynamicMapRouter, DrivesAsWellAfterItsExperienceWasSavedAndLoaded) {
   const std::vector<std::string> room = {"........", "...##...", "....#...", "....#...", "...##...", "........"};

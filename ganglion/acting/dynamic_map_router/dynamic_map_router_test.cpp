@@ -13,18 +13,11 @@ using grid::Label;
 using grid::Nature;
 using testing::Drive;
 using testing::GridBot;
+using testing::open_ground;
 using testing::RequestBench;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
-
-GridBot open_ground(int column = 5, int row = 5, int side = 12) {
-  const auto n = static_cast<std::size_t>(side);
-  GridBot bot(std::vector<std::string>(n, std::string(n, '.')));
-  bot.column = column;
-  bot.row = row;
-  return bot;
-}
 
 TEST(DynamicMapRouter, CommandsMotionAndDirectionOfTravel) {
   GridBot bot = open_ground();

@@ -94,6 +94,15 @@ class GridBot {
   int rows_ = 0;
 };
 
+/// Free ground with the robot on a cell of it, heading east.
+inline GridBot open_ground(int column = 5, int row = 5, int side = 12) {
+  const auto n = static_cast<std::size_t>(side);
+  GridBot bot(std::vector<std::string>(n, std::string(n, '.')));
+  bot.column = column;
+  bot.row = row;
+  return bot;
+}
+
 /// The module driving the bot.
 class Drive {
  public:

@@ -20,12 +20,8 @@ constexpr double kHoldOver_s = 0.3;    // a late frame makes no gap in a part; t
 constexpr double kHalfTurnSlack = 10;  // deg: a compass lags behind the turn
 
 constexpr std::array kPorts = {
-    PortDescriptor{.name = "left",
-                   .unit = "m",
-                   .help = {"Range of the left front sonar", "Distancia del sonar delantero izquierdo"}},
-    PortDescriptor{.name = "right",
-                   .unit = "m",
-                   .help = {"Range of the right front sonar", "Distancia del sonar delantero derecho"}},
+    subsumption::sonar_port(true),
+    subsumption::sonar_port(false),
     PortDescriptor{.name = "heading",
                    .unit = "rad",
                    .type = ValueType::Circular,

@@ -16,14 +16,8 @@ constexpr std::array kPorts = {
                    .many = true,
                    .help = {"Whether a behaviour above drove in the tick before: \"escape.active@previous\"",
                             "Si un comportamiento superior condujo en el tic anterior: \"escape.active@previous\""}},
-    PortDescriptor{.name = "left",
-                   .unit = "m",
-                   .required = false,
-                   .help = {"Range of the left front sonar", "Distancia del sonar delantero izquierdo"}},
-    PortDescriptor{.name = "right",
-                   .unit = "m",
-                   .required = false,
-                   .help = {"Range of the right front sonar", "Distancia del sonar delantero derecho"}},
+    subsumption::sonar_port(true, false),
+    subsumption::sonar_port(false, false),
     PortDescriptor{
         .name = "course",
         .unit = "rad",
@@ -161,13 +155,7 @@ constexpr std::array kParameters = {
                         .max = 1,
                         .help = {"Share of the speed ahead that is left however near", "Parte mínima de la velocidad"},
                         .ours = true},
-    ParameterDescriptor{.name = "one_sonar_share",
-                        .preset = 0.5,
-                        .min = 0,
-                        .max = 1,
-                        .help = {"Share of the speed ahead while one sonar is dead",
-                                 "Parte de la velocidad de avance con un sonar muerto"},
-                        .ours = true},
+    subsumption::kOneSonarShareParameter,
 };
 
 }  // namespace

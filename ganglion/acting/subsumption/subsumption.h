@@ -45,6 +45,23 @@ inline Result<void> check_listing(const Parameters& parameters) {
   return {};
 }
 
+/// The input of the sonar at one front corner.
+constexpr PortDescriptor sonar_port(bool left, bool required = true) noexcept {
+  return {.name = left ? "left" : "right",
+          .unit = "m",
+          .required = required,
+          .help = left ? Text{"Range of the left front sonar", "Distancia del sonar delantero izquierdo"}
+                       : Text{"Range of the right front sonar", "Distancia del sonar delantero derecho"}};
+}
+
+inline constexpr ParameterDescriptor kOneSonarShareParameter{
+    .name = "one_sonar_share",
+    .preset = 0.5,
+    .min = 0,
+    .max = 1,
+    .help = {"Share of the speed ahead while one sonar is dead", "Parte de la velocidad de avance con un sonar muerto"},
+    .ours = true};
+
 inline constexpr std::array<std::string_view, 2> kTrackElements = {"left", "right"};
 
 inline constexpr PortDescriptor kTracksPort{

@@ -26,6 +26,9 @@ enum class FaultKind : std::uint8_t {
 inline constexpr std::array<std::string_view, 8> kFaultNames = {"dead", "stuck",   "biased", "noisy",
                                                                 "late", "swapped", "weak",   "lost"};
 
+/// More faults than this are refused.
+inline constexpr std::size_t kMaxFaults = 64;
+
 /// One fault of one or more signals, from when to when.
 struct Fault {
   std::string target;  ///< A device ("sonar_left"), a channel ("sonar_left.range"), a command ("drive"), one of its

@@ -15,16 +15,16 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-FaultAtWork::FaultAtWork(const Fault& fault, FaultSite site, const RobotDescription& robot, double step_s)
-    : fault_(fault), site_(std::move(site)), step_s_(step_s) {
-  const auto one = [&](double dead, double min, double max, bool circular) {
-    dead_.push_back(dead);
-    min_.push_back(min);
-    max_.push_back(max);
-    circular_.push_back(circular ? 1 : 0);
+FaultPlan::FaultPlan(const Fault& of, FaultSite at, const RobotDescription& robot, double step)
+    : fault(of), site(std::move(at)), step_s(step) {
+  const auto one = [&](double one_dead, double one_min, double one_max, bool one_circular) {
+    dead.push_back(one_dead);
+    min.push_back(one_min);
+    max.push_back(one_max);
+    circular.push_back(one_circular ? 1 : 0);
   };
-  for (std::size_t c = 0; site_.commands ? c < robot.commands.size() : c < robot.sensations.size(); ++c) {
-    if (site_.commands) {
+  for (std::size_t c = 0; site.commands ? c < robot.commands.size() : c < robot.sensations.size(); ++c) {
+    if (site.commands) {
       for (const CommandElement& element : robot.commands[c].elements)
         one(element.safe, element.min, element.max, false);
     } else {
@@ -33,38 +33,49 @@ FaultAtWork::FaultAtWork(const Fault& fault, FaultSite site, const RobotDescript
         one(channel.dead, channel.min, channel.max, channel.type == ValueType::Circular);
     }
   }
-  held_.resize(site_.values.size());
-  held_clocks_.resize(site_.channels.size());
-  if (fault_.kind == FaultKind::Late) {
-    depth_ = static_cast<std::size_t>(std::max(1.0, std::round(fault_.amount / step_s)));
-    past_.resize(depth_ * site_.values.size());
-  }
+  if (fault.kind == FaultKind::Late) depth = std::max(1.0, std::round(fault.amount / step_s));
+}
+
+double FaultPlan::bytes_each() const noexcept {
+  const auto width = static_cast<double>(site.values.size());
+  const double remembered = (depth + 1) * width + static_cast<double>(site.channels.size());
+  return sizeof(FaultAtWork) + remembered * sizeof(double);
+}
+
+FaultAtWork::FaultAtWork(std::shared_ptr<const FaultPlan> plan) : plan_(std::move(plan)) {
+  const std::size_t width = plan_->site.values.size();
+  held_.resize(width);
+  held_clocks_.resize(plan_->site.channels.size());
+  depth_ = static_cast<std::size_t>(plan_->depth);
+  past_.resize(depth_ * width);
 }
 
 void FaultAtWork::reset(std::uint64_t seed, std::uint32_t episode, std::uint32_t robot) noexcept {
-  stream_ = {seed, episode, robot, hash_name("@fault " + fault_.text())};
+  stream_ = {seed, episode, robot, hash_name("@fault " + plan_->fault.text())};
   StreamId beginning = stream_;
   beginning.component = combine(stream_.component, hash_name("reset"));
   Draws draws(beginning, 0);
-  happens_ = draws.uniform() < fault_.chance;
-  from_s_ = fault_.from_latest_s > fault_.from_s ? draws.uniform(fault_.from_s, fault_.from_latest_s) : fault_.from_s;
+  happens_ = draws.uniform() < plan_->fault.chance;
+  from_s_ = plan_->fault.from_latest_s > plan_->fault.from_s
+                ? draws.uniform(plan_->fault.from_s, plan_->fault.from_latest_s)
+                : plan_->fault.from_s;
   holds_ = false;
   row_ = rows_ = 0;
 }
 
 bool FaultAtWork::active(double time_s) const noexcept {
-  return happens_ && time_s >= from_s_ - kTimeTolerance_s && time_s < fault_.to_s - kTimeTolerance_s;
+  return happens_ && time_s >= from_s_ - kTimeTolerance_s && time_s < plan_->fault.to_s - kTimeTolerance_s;
 }
 
 double FaultAtWork::bounded(std::size_t n, double value) const noexcept {
-  const std::size_t at = site_.values[n];
-  if (circular_[at] != 0) value = Angle::from_rad(value).wrapped().rad();
-  return min_[at] < max_[at] ? std::clamp(value, min_[at], max_[at]) : value;
+  const std::size_t at = plan_->site.values[n];
+  if (plan_->circular[at] != 0) value = Angle::from_rad(value).wrapped().rad();
+  return plan_->min[at] < plan_->max[at] ? std::clamp(value, plan_->min[at], plan_->max[at]) : value;
 }
 
 void FaultAtWork::hold(std::span<double> values) noexcept {
-  for (std::size_t n = 0; n < site_.values.size(); ++n) {
-    double& value = values[site_.values[n]];
+  for (std::size_t n = 0; n < plan_->site.values.size(); ++n) {
+    double& value = values[plan_->site.values[n]];
     if (holds_) value = held_[n];
     held_[n] = value;
   }
@@ -72,33 +83,35 @@ void FaultAtWork::hold(std::span<double> values) noexcept {
 }
 
 void FaultAtWork::shift(std::span<double> values, std::span<double> clocks, bool active) noexcept {
-  const std::size_t width = site_.values.size();
+  const std::size_t width = plan_->site.values.size();
   const bool arrived = rows_ >= depth_;
   for (std::size_t n = 0; n < width; ++n) {
-    const std::size_t at = site_.values[n];
+    const std::size_t at = plan_->site.values[n];
     double& past = past_[row_ * width + n];
     const double now = values[at];
-    if (active) values[at] = arrived ? past : (site_.commands ? dead_[at] : kNaN);
+    if (active) values[at] = arrived ? past : (plan_->site.commands ? plan_->dead[at] : kNaN);
     past = now;
   }
-  for (const std::size_t channel : site_.channels) {
-    if (active && !site_.commands)
-      clocks[channel] += arrived ? static_cast<double>(depth_) * step_s_ : std::numeric_limits<double>::infinity();
+  for (const std::size_t channel : plan_->site.channels) {
+    if (active && !plan_->site.commands)
+      clocks[channel] +=
+          arrived ? static_cast<double>(depth_) * plan_->step_s : std::numeric_limits<double>::infinity();
   }
   row_ = (row_ + 1) % depth_;
   rows_ = std::min(rows_ + 1, depth_);
 }
 
 void FaultAtWork::lose(std::span<double> values, std::span<double> clocks, bool lost) noexcept {
-  for (std::size_t n = 0; n < site_.values.size(); ++n) {
-    const std::size_t at = site_.values[n];
-    if (lost) values[at] = holds_ ? held_[n] : (site_.commands ? dead_[at] : kNaN);
+  for (std::size_t n = 0; n < plan_->site.values.size(); ++n) {
+    const std::size_t at = plan_->site.values[n];
+    if (lost) values[at] = holds_ ? held_[n] : (plan_->site.commands ? plan_->dead[at] : kNaN);
     held_[n] = values[at];
   }
-  for (std::size_t c = 0; c < site_.channels.size(); ++c) {
-    double& clock = clocks[site_.channels[c]];
-    if (lost && site_.commands) clock = holds_ ? std::max(0.0, held_clocks_[c] - step_s_) : 0;
-    if (lost && !site_.commands) clock = holds_ ? held_clocks_[c] + step_s_ : std::numeric_limits<double>::infinity();
+  for (std::size_t c = 0; c < plan_->site.channels.size(); ++c) {
+    double& clock = clocks[plan_->site.channels[c]];
+    if (lost && plan_->site.commands) clock = holds_ ? std::max(0.0, held_clocks_[c] - plan_->step_s) : 0;
+    if (lost && !plan_->site.commands)
+      clock = holds_ ? held_clocks_[c] + plan_->step_s : std::numeric_limits<double>::infinity();
     held_clocks_[c] = clock;
   }
   holds_ = holds_ || !lost;
@@ -107,37 +120,58 @@ void FaultAtWork::lose(std::span<double> values, std::span<double> clocks, bool 
 void FaultAtWork::spoil(std::span<double> values, std::span<double> clocks, std::uint32_t tick,
                         double time_s) noexcept {
   const bool now = active(time_s);
-  if (fault_.kind == FaultKind::Late) return shift(values, clocks, now);
+  if (plan_->fault.kind == FaultKind::Late) return shift(values, clocks, now);
   Draws draws(stream_, tick);
-  if (fault_.kind == FaultKind::Lost) return lose(values, clocks, now && draws.uniform() < fault_.amount);
+  if (plan_->fault.kind == FaultKind::Lost) return lose(values, clocks, now && draws.uniform() < plan_->fault.amount);
   if (!now) {
     holds_ = false;
     return;
   }
-  if (fault_.kind == FaultKind::Stuck) return hold(values);
-  for (std::size_t n = 0; n < site_.values.size(); ++n) {
-    double& value = values[site_.values[n]];
-    if (fault_.kind == FaultKind::Dead) value = dead_[site_.values[n]];
-    if (fault_.kind == FaultKind::Swapped) std::swap(value, values[site_.with_values[n]]);
+  if (plan_->fault.kind == FaultKind::Stuck) return hold(values);
+  for (std::size_t n = 0; n < plan_->site.values.size(); ++n) {
+    double& value = values[plan_->site.values[n]];
+    if (plan_->fault.kind == FaultKind::Dead) value = plan_->dead[plan_->site.values[n]];
+    if (plan_->fault.kind == FaultKind::Swapped) std::swap(value, values[plan_->site.with_values[n]]);
     if (!std::isfinite(value)) continue;
-    if (fault_.kind == FaultKind::Biased) value = bounded(n, value + fault_.amount);
-    if (fault_.kind == FaultKind::Noisy) value = bounded(n, value + fault_.amount * draws.normal());
-    if (fault_.kind == FaultKind::Weak) value *= 1 - fault_.amount;
+    if (plan_->fault.kind == FaultKind::Biased) value = bounded(n, value + plan_->fault.amount);
+    if (plan_->fault.kind == FaultKind::Noisy) value = bounded(n, value + plan_->fault.amount * draws.normal());
+    if (plan_->fault.kind == FaultKind::Weak) value *= 1 - plan_->fault.amount;
   }
+}
+
+Result<std::vector<std::shared_ptr<const FaultPlan>>> plan_faults(const std::vector<Fault>& faults,
+                                                                  const RobotDescription& robot, int robots,
+                                                                  double step_s) {
+  expects(step_s > 0);
+  if (faults.size() > kMaxFaults)
+    return fail_at(faults[kMaxFaults].place, ErrorCode::TooLarge, "there are {} faults; the limit is {}", faults.size(),
+                   kMaxFaults);
+  std::vector<std::shared_ptr<const FaultPlan>> plans;
+  double bytes = 0;
+  for (const Fault& fault : faults) {
+    auto site = site_of(fault, robot);
+    if (!site) return tl::unexpected<Error>(site.error());
+    plans.push_back(std::make_shared<const FaultPlan>(fault, std::move(*site), robot, step_s));
+    bytes += plans.back()->bytes_each() * robots;
+    if (bytes > kMaxFaultBytes)
+      return fail_at(fault.place, ErrorCode::TooLarge,
+                     "up to this one the faults of {} robot{} remember {:.0f} MiB; the limit is {:.0f}: take shorter "
+                     "delays, fewer faults or fewer robots",
+                     robots, robots == 1 ? "" : "s", bytes / (1 << 20), kMaxFaultBytes / (1 << 20));
+  }
+  return plans;
 }
 
 Result<std::unique_ptr<FaultyApplication>> FaultyApplication::make(Application& inner, const std::vector<Fault>& faults,
                                                                    double step_s) {
-  expects(step_s > 0);
+  const auto plans = plan_faults(faults, inner.description(), inner.robots(), step_s);
+  if (!plans) return tl::unexpected<Error>(plans.error());
   std::unique_ptr<FaultyApplication> faulty(new FaultyApplication(inner));
-  const RobotDescription& robot = inner.description();
-  faulty->act_.assign(static_cast<std::size_t>(inner.robots()), make_act_frame(robot));
-  faulty->faults_.resize(static_cast<std::size_t>(inner.robots()));
-  for (const Fault& fault : faults) {
-    const auto site = site_of(fault, robot);
-    if (!site) return tl::unexpected<Error>(site.error());
-    for (auto& own : faulty->faults_) own.emplace_back(fault, *site, robot, step_s);
-  }
+  const auto robots = static_cast<std::size_t>(inner.robots());
+  faulty->act_.assign(robots, make_act_frame(inner.description()));
+  faulty->faults_.resize(robots);
+  for (auto& own : faulty->faults_)
+    for (const auto& plan : *plans) own.emplace_back(plan);
   return faulty;
 }
 

@@ -187,6 +187,21 @@ TEST(FaultyApplication, BeginsAtADrawnTimeWithItsChance) {
   EXPECT_NEAR(happened, 100, 4 * std::sqrt(200 * 0.25));
 }
 
+TEST(FaultyApplication, RefusesDelaysThatTakeTooMuchMemory) {
+  // Three values: 1 s in steps of 10 ns are 1e8 rows of 24 bytes, 2.2 GiB.
+  Counter counter;
+  Fault late = fault("frames", FaultKind::Late, 1);
+  late.place = {"e.toml", 7, 10};
+  const auto refused = FaultyApplication::make(counter, {late}, 1e-8);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::TooLarge);
+  EXPECT_EQ(refused.error().place, late.place);
+  EXPECT_EQ(refused.error().message,
+            "up to this one the faults of 1 robot remember 2289 MiB; the limit is 256: take shorter delays, fewer "
+            "faults or fewer robots");
+  EXPECT_TRUE(FaultyApplication::make(counter, {late}, 1e-6));
+}
+
 TEST(FaultSite, SaysWhatIsWrongWithAFault) {
   const Counter counter;
   const auto complaint = [&](const Fault& wrong) {

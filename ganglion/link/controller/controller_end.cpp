@@ -45,7 +45,7 @@ void ControllerEnd::act(std::span<const ActFrame> frames, double step_s, double 
   const bool lock_step = config_.pace == wire::LOCK_STEP;
   act_.set_tick(sense_.tick());
   act_.set_step_s(lock_step ? step_s : 0);
-  write_acts(frames, config_.floats, act_);
+  write_acts(frames, floats_, act_);
   wanted_tick_ = sense_.tick() + 1;
   if (lock_step) {
     want(Wanted::Answer, now_s);
@@ -57,7 +57,6 @@ void ControllerEnd::act(std::span<const ActFrame> frames, double step_s, double 
 
 void ControllerEnd::await_sense(double now_s) {
   if (!taken_) return;
-  wanted_tick_ = sense_.tick() + 1;
   want(Wanted::NewerSense, now_s);
 }
 
@@ -73,7 +72,7 @@ void ControllerEnd::want(Wanted what, double now_s) {
   waiting_for_ = what;
   asked_s_ = now_s;
   repeated_ = false;
-  if (connected_) ask_again(now_s);
+  if (connected_ && greeted_) ask_again(now_s);  // else the Hello that was said comes first
 }
 
 void ControllerEnd::ask_again(double now_s) {
@@ -140,6 +139,7 @@ void ControllerEnd::heard_hello() {
   }
   token_ = in_.hello.token().substr(0, 100);
   robot_program_ = printable(in_.hello.name(), 100);
+  floats_ = in_.hello.floats();
 }
 
 void ControllerEnd::heard_bye(double now_s) {
@@ -174,7 +174,7 @@ void ControllerEnd::heard_sense(double now_s) {
       if (first) ask_again(now_s);  // the Act was lost with the connection
       return;
     case Wanted::NewerSense:
-      if (tick < wanted_tick_) {
+      if (tick <= sense_.tick()) {
         ++statistics_.late;
         return;
       }
@@ -227,7 +227,7 @@ void ControllerEnd::poll(double now_s) {
   if (!connected_) return;
   if (greeted_ && now_s >= beat_s_ + config_.beat_s) beat(now_s);
   if (done()) return;
-  const bool mute = now_s >= std::max(heard_s_, asked_s_) + config_.silence_s;
+  const bool mute = now_s >= silent_s();
   if (mute && config_.carrier == Carrier::Stream) return disconnected(now_s);
   if (mute) greeted_ = described_ = false;  // the robot may have been unplugged or started again: ask
   if (config_.carrier == Carrier::Packets && now_s >= sent_s_ + config_.repeat_s) {
@@ -242,8 +242,13 @@ double ControllerEnd::due_s() const noexcept {
   double due_s = asked_s_ + config_.patience_s;
   if (!connected_) return due_s;
   if (greeted_) due_s = std::min(due_s, beat_s_ + config_.beat_s);
-  return std::min(due_s, config_.carrier == Carrier::Packets ? sent_s_ + config_.repeat_s
-                                                             : std::max(heard_s_, asked_s_) + config_.silence_s);
+  return std::min(due_s, config_.carrier == Carrier::Packets ? sent_s_ + config_.repeat_s : silent_s());
+}
+
+double ControllerEnd::silent_s() const noexcept {
+  // Heartbeats and what a free-running robot senses show that it is there, not that it got the Hello or the request.
+  const bool requested = config_.carrier == Carrier::Stream && (!greeted_ || waiting_for_ != Wanted::NewerSense);
+  return (requested ? sent_s_ : std::max(heard_s_, asked_s_)) + config_.silence_s;
 }
 
 std::vector<wire::Event> ControllerEnd::take_events() { return std::exchange(events_, {}); }

@@ -79,6 +79,8 @@ class ControllerEnd {
   void ask_again(double now_s);
   void beat(double now_s);
   void answered(double now_s);
+  /// When this connection is given up, if nothing comes.
+  double silent_s() const noexcept;
   template <class Message>
   void send(const Message& message) {
     if (auto written = writer_.append(message, out_); !written) fail(written.error().message);
@@ -95,6 +97,7 @@ class ControllerEnd {
   Wanted waiting_for_ = Wanted::Nothing;
   std::string token_;
   std::string robot_program_;
+  bool floats_ = false;  // the robot takes no doubles
   wire::Describe describe_;
   wire::Sense sense_;
   wire::Reset reset_;

@@ -17,10 +17,11 @@ constexpr double kSlow_s = 0.1;
 
 using Say = std::function<void(bool good, const std::string& finding)>;
 
-ControllerEndConfig watching(Carrier carrier) {
+ControllerEndConfig watching(Carrier carrier, Encoding encoding) {
   ControllerEndConfig config;
   config.name = "ganglion doctor";
   config.carrier = carrier;
+  config.encoding = encoding;
   config.role = wire::WATCH;
   config.truth = false;
   config.patience_s = kPatience_s;
@@ -31,16 +32,15 @@ ControllerEndConfig watching(Carrier carrier) {
 /// One look at one robot.
 class Examination {
  public:
-  Examination(std::unique_ptr<Line> line, const Say& say)
-      : line_(std::move(line)), end_(watching(line_->carrier())), say_(say), room_(kRoomBytes) {}
+  Examination(std::unique_ptr<Line> line, const Say& say) : line_(std::move(line)), say_(say), room_(kRoomBytes) {}
 
   bool run() {
     if (!reach()) return good_;
     describe();
     first_frame();
     answers();
-    end_.bye("seen enough");
-    const auto sent = line_->send(end_.outgoing(), line_->now_s() + 1);
+    end_->bye("seen enough");
+    const auto sent = line_->send(end_->outgoing(), line_->now_s() + 1);
     static_cast<void>(sent);
     return good_;
   }
@@ -57,20 +57,29 @@ class Examination {
       return false;
     }
     tell(true, fmt::format("{} takes connections", line_->address()));
-    end_.greet(line_->now_s());
-    end_.connected(line_->now_s());
-    while (!end_.done() && !end_.failure()) carry();
-    if (end_.failure()) {
-      tell(false, fmt::format("no greeting came to its end: {}. It must answer Hello with Hello, Describe and Sense",
-                              end_.failure()->message));
-      return false;
+    if (greet(Encoding::Binary)) return true;
+    const std::string reason = end_->failure()->message;
+    if (line_->carrier() == Carrier::Stream && line_->connect(line_->now_s() + kPatience_s) && greet(Encoding::Json)) {
+      tell(true, "it answers JSON lines but no binary frames: write encoding = \"json\" in [application]");
+      return true;
     }
-    tell(true, fmt::format("it speaks protocol 1 and calls itself \"{}\"", end_.robot_program()));
+    tell(false,
+         fmt::format("no greeting came to its end: {}. It must answer Hello with Hello, Describe and Sense", reason));
+    return false;
+  }
+
+  bool greet(Encoding encoding) {
+    end_.emplace(watching(line_->carrier(), encoding));
+    end_->greet(line_->now_s());
+    end_->connected(line_->now_s());
+    while (!end_->done() && !end_->failure()) carry();
+    if (end_->failure()) return false;
+    tell(true, fmt::format("it speaks protocol 1 and calls itself \"{}\"", end_->robot_program()));
     return true;
   }
 
   void describe() {
-    const wire::Describe& told = end_.describe();
+    const wire::Describe& told = end_->describe();
     const auto robot = read_description(told);
     if (!robot) return tell(false, fmt::format("its description makes no sense: {}", robot.error().message));
     description_ = *robot;
@@ -95,8 +104,8 @@ class Examination {
 
   void first_frame() {
     if (!description_) return;
-    const wire::Sense& sense = end_.sense();
-    std::vector<SenseFrame> frames(std::max(1u, end_.describe().robots()), make_sense_frame(*description_));
+    const wire::Sense& sense = end_->sense();
+    std::vector<SenseFrame> frames(std::max(1u, end_->describe().robots()), make_sense_frame(*description_));
     if (!read_senses(sense, frames)) {
       return tell(false,
                   fmt::format("its frames do not fit the description: of {} robots Sense must have {} values, and "
@@ -123,10 +132,10 @@ class Examination {
   void answers() {
     std::vector<double> round_trips_s;
     const double until_s = line_->now_s() + kPatience_s;
-    while (static_cast<int>(round_trips_s.size()) < kBeats && line_->now_s() < until_s && !end_.failure()) {
-      const std::uint32_t before = end_.beats_answered();
+    while (static_cast<int>(round_trips_s.size()) < kBeats && line_->now_s() < until_s && !end_->failure()) {
+      const std::uint32_t before = end_->beats_answered();
       carry();
-      if (end_.beats_answered() != before) round_trips_s.push_back(end_.statistics().round_trip_s);
+      if (end_->beats_answered() != before) round_trips_s.push_back(end_->statistics().round_trip_s);
     }
     if (round_trips_s.empty()) {
       return tell(false, "it answers no heartbeat: send every Beat back with answer = true and its number");
@@ -136,26 +145,26 @@ class Examination {
     tell(median_s < kSlow_s, fmt::format("it answers within {:.2f} ms (the slowest of {}: {:.2f} ms){}", median_s * 1e3,
                                          round_trips_s.size(), round_trips_s.back() * 1e3,
                                          median_s < kSlow_s ? "" : ": too slow for a tick of 0.1 s"));
-    const auto lost = end_.statistics().lost;
+    const auto lost = end_->statistics().lost;
     if (lost > 0) tell(false, fmt::format("{} damaged frames: check cable and baud rate", lost));
   }
 
   /// Bytes there and back, for a moment.
   void carry() {
-    if (end_.wants_connection()) return end_.fail("the connection broke");
-    if (!end_.outgoing().empty()) {
-      const bool sent = line_->send(end_.outgoing(), line_->now_s() + 1).has_value();
-      end_.outgoing().clear();
-      if (!sent) return end_.disconnected(line_->now_s());
+    if (end_->wants_connection()) return end_->fail("the connection broke");
+    if (!end_->outgoing().empty()) {
+      const bool sent = line_->send(end_->outgoing(), line_->now_s() + 1).has_value();
+      end_->outgoing().clear();
+      if (!sent) return end_->disconnected(line_->now_s());
     }
-    const auto got = line_->receive(room_, std::min(end_.due_s(), line_->now_s() + 0.05));
-    if (!got) return end_.disconnected(line_->now_s());
-    if (*got > 0) end_.receive({room_.data(), *got}, line_->now_s());
-    end_.poll(line_->now_s());
+    const auto got = line_->receive(room_, std::min(end_->due_s(), line_->now_s() + 0.05));
+    if (!got) return end_->disconnected(line_->now_s());
+    if (*got > 0) end_->receive({room_.data(), *got}, line_->now_s());
+    end_->poll(line_->now_s());
   }
 
   std::unique_ptr<Line> line_;
-  ControllerEnd end_;
+  std::optional<ControllerEnd> end_;
   const Say& say_;
   std::vector<char> room_;
   std::optional<RobotDescription> description_;

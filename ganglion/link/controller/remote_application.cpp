@@ -68,7 +68,7 @@ Result<void> RemoteApplication::compare() {
   }
   differences_ = link::differences(file_, *robot);
   if (std::any_of(differences_.begin(), differences_.end(), [](const Difference& one) { return one.grave; })) {
-    return fail(ErrorCode::LinkLost, "{}: this is not the robot the controller was drawn for:\n{}", line_->address(),
+    return fail(ErrorCode::LinkLost, "{}: this is not the robot the controller was drawn for: {}", line_->address(),
                 text_of(differences_));
   }
   map_.emplace(file_, *robot);
@@ -182,7 +182,7 @@ Error RemoteApplication::error() const {
 std::string text_of(const std::vector<Difference>& differences) {
   std::string text;
   for (const Difference& one : differences) {
-    text += fmt::format("{}{}{}{}", text.empty() ? "" : "\n", one.channel, one.channel.empty() ? "" : ": ", one.text);
+    text += fmt::format("{}{}{}{}", text.empty() ? "" : "; ", one.channel, one.channel.empty() ? "" : ": ", one.text);
   }
   return text;
 }

@@ -47,6 +47,8 @@ Result<void> RemoteWitness::take(const wire::Sense& sense, bool first) {
     truth.contacts = static_cast<int>(message.contacts());
     truth.fastest_contact_mps = message.fastest_contact_mps();
     truth.touched = message.touched();
+    truth.stalled = message.stalled();
+    truth.tipped = message.tipped();
     if (first) logs_[n].goals.clear();
     if (auto taken = take_goals(message, logs_[n]); !taken) return taken;
   }

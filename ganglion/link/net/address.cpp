@@ -7,7 +7,7 @@
 namespace ganglion::link {
 namespace {
 
-constexpr std::string_view kTcp = "tcp://", kSerial = "serial://", kBaud = "?baud=";
+constexpr std::string_view kTcp = "tcp://", kSerial = "serial://", kSerialOverTcp = "serial+tcp://", kBaud = "?baud=";
 
 template <class Number>
 bool read_number(std::string_view text, Number& number) noexcept {
@@ -50,6 +50,13 @@ Result<Address> parse_serial(std::string_view text) {
 }  // namespace
 
 Result<Address> parse_address(const std::string& text) {
+  if (text.starts_with(kSerialOverTcp)) {
+    auto address = parse_tcp(std::string_view(text).substr(kSerialOverTcp.size()));
+    if (!address) return address;
+    address->kind = Address::Kind::SerialOverTcp;
+    address->text = text;
+    return address;
+  }
   if (text.starts_with(kSerial)) return parse_serial(std::string_view(text).substr(kSerial.size()));
   return parse_tcp(text.starts_with(kTcp) ? std::string_view(text).substr(kTcp.size()) : std::string_view(text));
 }

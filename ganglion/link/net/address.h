@@ -7,9 +7,10 @@
 
 namespace ganglion::link {
 
-/// Where a robot is: "tcp://HOST:PORT" ("HOST:PORT" will do), or "serial:///dev/ttyUSB0?baud=115200".
+/// Where a robot is: "tcp://HOST:PORT" ("HOST:PORT" will do), "serial:///dev/ttyUSB0?baud=115200", or
+/// "serial+tcp://HOST:PORT", a serial line that a terminal server or an emulator carries on over TCP.
 struct Address {
-  enum class Kind : std::uint8_t { Tcp, Serial };
+  enum class Kind : std::uint8_t { Tcp, Serial, SerialOverTcp };
   Kind kind = Kind::Tcp;
   std::string text;  ///< In full, for people.
   std::string host;

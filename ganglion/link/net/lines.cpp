@@ -79,7 +79,9 @@ class DescriptorLine : public Line {
 class TcpLine final : public DescriptorLine {
  public:
   using DescriptorLine::DescriptorLine;
-  Carrier carrier() const noexcept override { return Carrier::Stream; }
+  Carrier carrier() const noexcept override {
+    return address_.kind == Address::Kind::SerialOverTcp ? Carrier::Packets : Carrier::Stream;
+  }
 
   Result<void> connect(double until_s) override {
     close();

@@ -7,6 +7,7 @@
 #include "ganglion/base/file.h"
 #include "ganglion/link/net/lines.h"
 #include "ganglion/link/net/program.h"
+#include "ganglion/link/net/proxy.h"
 #include "ganglion/link/net/server.h"
 #include "ganglion/link/testing/bench.h"
 
@@ -21,6 +22,8 @@ TEST(Address, IsReadAsPeopleWriteIt) {
   EXPECT_EQ(parse_address("tcp://[::1]:80")->host, "::1");
   EXPECT_EQ(parse_address("serial:///dev/ttyUSB0?baud=9600")->baud, 9600u);
   EXPECT_EQ(parse_address("serial:///dev/ttyACM0")->baud, 115'200u);
+  EXPECT_EQ(make_line(*parse_address("serial+tcp://127.0.0.1:7007"))->carrier(), Carrier::Packets);
+  EXPECT_EQ(make_line(*parse_address("tcp://127.0.0.1:7007"))->carrier(), Carrier::Stream);
   for (const char* wrong : {"", "robot", ":7007", "tcp://a:70000", "tcp://a:", "serial://ttyUSB0",
                             "serial:///dev/x?speed=1", "serial:///dev/x?baud=0"}) {
     EXPECT_FALSE(parse_address(wrong)) << wrong;
@@ -41,6 +44,7 @@ class Served {
     stop_ = true;
     if (thread_.joinable()) thread_.join();
   }
+  const Address& address() const { return server_->address(); }
   std::unique_ptr<Line> line() const { return make_line(server_->address()); }
   NotebookRobot& robot() { return robot_; }
 
@@ -112,6 +116,73 @@ TEST(Server, SaysGoodbyeWhenItEnds) {
   EXPECT_NE((*remote)->failure()->message.find("the test is over"), std::string::npos);
 }
 
+/// A proxy on a port of this machine, served by a thread of its own.
+class Proxied {
+ public:
+  Proxied(const Address& to, const char* faults, std::uint64_t seed) {
+    auto proxy = Proxy::listen({*parse_address("127.0.0.1:0"), to, *parse_line_faults(faults), seed,
+                                [this](const std::string& line) { log_ += line + "\n"; }});
+    EXPECT_TRUE(proxy) << proxy.error().message;
+    proxy_ = std::move(*proxy);
+    thread_ =
+        std::jthread([this](const std::stop_token& stop) { proxy_->serve([&] { return stop.stop_requested(); }); });
+  }
+  ~Proxied() { log(); }
+  std::unique_ptr<Line> line() const { return make_line(proxy_->address()); }
+  /// Once it has ended.
+  const std::string& log() {
+    thread_.request_stop();
+    if (thread_.joinable()) thread_.join();
+    return log_;
+  }
+
+ private:
+  std::string log_;
+  std::unique_ptr<Proxy> proxy_;
+  std::jthread thread_;
+};
+
+TEST(Proxy, LetsASessionThroughItsFaultsToTheSameEnd) {
+  NotebookRobot alone;
+  drive(alone, 200);
+  Served served;
+  Proxied proxied(served.address(), "delay=1ms,jitter=1ms,merge=2%,split=30%; fin=1%,rst=1%", 3);
+  auto remote = RemoteApplication::connect(proxied.line(), served.robot().description(), 1, {});
+  ASSERT_TRUE(remote) << remote.error().message;
+  drive(**remote, 200);
+  EXPECT_EQ((*remote)->failure(), nullptr);
+  EXPECT_GT((*remote)->statistics().reconnections, 0u);
+  remote->reset();
+  served.stop();
+  EXPECT_EQ(served.robot().done(), alone.done());
+  EXPECT_NE(proxied.log().find("connection 1 "), std::string::npos);
+  EXPECT_NE(proxied.log().find(" split"), std::string::npos);
+}
+
+TEST(Proxy, PassesWhatIsNoLink) {
+  Served served;
+  Proxied proxied(served.address(), "none", 0);
+  const auto line = proxied.line();
+  ASSERT_TRUE(line->connect(steady_s() + 5));
+  ASSERT_TRUE(line->send("GET / HTTP/1.1\r\n", steady_s() + 5));
+  EXPECT_NE(heard(*line).find("this is a Ganglion robot link"), std::string::npos);
+}
+
+TEST(Proxy, ClosesWhereThereIsNoRobot) {
+  Proxied proxied(*parse_address(fmt::format("127.0.0.1:{}", free_port().value())), "none", 0);
+  const auto line = proxied.line();
+  ASSERT_TRUE(line->connect(steady_s() + 5));
+  std::vector<char> room(10);
+  EXPECT_FALSE(line->receive(room, steady_s() + 5));
+  EXPECT_NE(proxied.log().find("connection 0: no robot at tcp://127.0.0.1:"), std::string::npos);
+}
+
+TEST(Proxy, GoesBetweenTcpAddressesOnly) {
+  const auto proxy = Proxy::listen({*parse_address("127.0.0.1:0"), *parse_address("serial:///dev/ttyUSB0"), {}, 0, {}});
+  ASSERT_FALSE(proxy);
+  EXPECT_NE(proxy.error().message.find("write tcp://HOST:PORT"), std::string::npos);
+}
+
 TEST(TcpLine, SaysWhatToDoWhereNobodyListens) {
   const auto line = make_line(*parse_address(fmt::format("127.0.0.1:{}", free_port().value())));
   const auto reached = line->connect(steady_s() + 5);
@@ -125,8 +196,8 @@ TEST(Program, IsToldItsPortAndEndsWithItsOwner) {
     auto program = Program::start({"sh", "-c", "echo {port} $GANGLION_PORT; pwd; exec sleep 1000"}, "/", 4711, output);
     ASSERT_TRUE(program) << program.error().message;
     const double until_s = steady_s() + 10;
-    while (program->last_words().find('/') == std::string::npos && steady_s() < until_s) std::this_thread::yield();
-    EXPECT_EQ(program->last_words(), "4711 4711\n/\n");
+    while (program->last_words().find("| /") == std::string::npos && steady_s() < until_s) std::this_thread::yield();
+    EXPECT_EQ(program->last_words(), "4711 4711 | /");
     EXPECT_FALSE(program->ended());
   }
   EXPECT_EQ(*read_file(output), "4711 4711\n/\n");

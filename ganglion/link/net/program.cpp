@@ -8,19 +8,19 @@
 
 #include <cerrno>
 #include <csignal>
-#include <cstdlib>
 #include <system_error>
 #include <utility>
 
 #include "ganglion/base/expects.h"
 #include "ganglion/base/file.h"
+#include "ganglion/base/text.h"
 #include "ganglion/link/net/lines.h"
 
 namespace ganglion::link {
 namespace {
 
 constexpr double kPatience_s = 2;
-constexpr std::size_t kLastWordsBytes = 1000;
+constexpr std::ptrdiff_t kLastLines = 3;
 constexpr useconds_t kLook_us = 5000;
 
 std::string with_port(std::string text, const std::string& port) {
@@ -30,15 +30,24 @@ std::string with_port(std::string text, const std::string& port) {
   return text;
 }
 
+/// As exec wants them: a null at the end.
+std::vector<char*> pointers_to(std::vector<std::string>& texts) {
+  std::vector<char*> pointers;
+  for (std::string& text : texts) pointers.push_back(text.data());
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
 /// What the child does between fork and exec: only what is safe there. Tells errno through the pipe.
-[[noreturn]] void become(const std::vector<char*>& arguments, const char* folder, int output, int report) {
+[[noreturn]] void become(const std::vector<char*>& arguments, const std::vector<char*>& environment, const char* folder,
+                         int output, int report) {
   ::setpgid(0, 0);            // so that whatever it starts ends with it
   ::signal(SIGINT, SIG_IGN);  // ctrl-C is for the controller, which ends the program in order
   const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
   ::dup2(nothing, STDIN_FILENO);
   ::dup2(output, STDOUT_FILENO);
   ::dup2(output, STDERR_FILENO);
-  if (::chdir(folder) == 0) ::execvp(arguments[0], arguments.data());
+  if (::chdir(folder) == 0) ::execvpe(arguments[0], arguments.data(), environment.data());
   const int error = errno;
   const ssize_t ignored = ::write(report, &error, sizeof error);
   ::_exit(ignored > 0 ? 127 : 126);
@@ -63,15 +72,17 @@ Result<Program> Program::start(const std::vector<std::string>& arguments, const 
   const std::string number = std::to_string(port);
   std::vector<std::string> texts;
   for (const std::string& argument : arguments) texts.push_back(with_port(argument, number));
-  std::vector<char*> pointers;
-  for (std::string& text : texts) pointers.push_back(text.data());
-  pointers.push_back(nullptr);
-  ::setenv("GANGLION_PORT", number.c_str(), 1);
+  const std::vector<char*> pointers = pointers_to(texts);
+  std::vector<std::string> variables = {"GANGLION_PORT=" + number};
+  for (char** variable = environ; *variable != nullptr; ++variable) {
+    if (!std::string_view(*variable).starts_with("GANGLION_PORT=")) variables.emplace_back(*variable);
+  }
+  const std::vector<char*> environment = pointers_to(variables);
   int report[2] = {-1, -1};
   const bool piped = ::pipe2(report, O_CLOEXEC) == 0;
   const std::string where = folder.empty() ? "." : folder.string();
   const pid_t process = piped ? ::fork() : -1;
-  if (process == 0) become(pointers, where.c_str(), log, report[1]);
+  if (process == 0) become(pointers, environment, where.c_str(), log, report[1]);
   ::close(log);
   if (piped) ::close(report[1]);
   const int error = process < 0 ? errno : failure_of(report[0]);
@@ -101,9 +112,11 @@ bool Program::ended() noexcept {
 }
 
 std::string Program::last_words() const {
-  auto text = read_file(output_);
-  if (!text || text->empty()) return "it printed nothing";
-  return text->size() > kLastWordsBytes ? text->substr(text->size() - kLastWordsBytes) : *text;
+  const auto text = read_file(output_);
+  if (!text || trimmed(*text).empty()) return "nothing";
+  std::vector<std::string> lines = split(trimmed(*text), '\n');
+  if (std::ssize(lines) > kLastLines) lines.erase(lines.begin(), lines.end() - kLastLines);
+  return printable(join(lines, " | "), 1000);
 }
 
 Result<std::uint16_t> free_port() {

@@ -26,7 +26,7 @@ class Program {
   /// Whether it ended by itself.
   bool ended() noexcept;
   const std::filesystem::path& output() const noexcept { return output_; }
-  /// The last lines it printed.
+  /// The last three lines it printed, " | " between.
   std::string last_words() const;
 
  private:

@@ -35,7 +35,12 @@ class Server::Shell {
   Shell(RobotEnd& end, Address address)
       : end_(end), address_(std::move(address)), acceptor_(context_), timer_(context_), accept_timer_(context_) {}
 
-  Result<void> open() { return address_.kind == Address::Kind::Tcp ? open_tcp() : open_serial(); }
+  Result<void> open() {
+    if (address_.kind == Address::Kind::SerialOverTcp) {
+      return fail(ErrorCode::BadParameter, "{}: listening is done at tcp://HOST:PORT or a serial line", address_.text);
+    }
+    return address_.kind == Address::Kind::Tcp ? open_tcp() : open_serial();
+  }
   const Address& address() const noexcept { return address_; }
 
   void serve(const std::function<bool()>& stop, const std::string& reason) {
@@ -173,7 +178,9 @@ class Server::Shell {
 
   /// What happened may have left something to send, or somebody to close.
   void look() {
-    for (const PeerId id : end_.take_stirred()) {
+    const auto stirred = end_.take_stirred();
+    for (std::size_t n = 0; n < stirred.size(); ++n) {
+      const PeerId id = stirred[n];
       if (serial_ != nullptr && serial_->id == id) serial_->write();
       const auto found = sockets_.find(id);
       if (found == sockets_.end()) continue;

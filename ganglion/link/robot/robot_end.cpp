@@ -124,6 +124,11 @@ void RobotEnd::send_sense(Peer& peer, bool everything) {
 void RobotEnd::check_sent(Peer& peer, const Result<void>& written) {
   if (!written) return refuse(peer, wire::REFUSED, written.error().message + ": let fewer robots share the link");
   if (peer.pending() <= kMaxPendingBytes) return;
+  if (peer.carrier == Carrier::Packets) {  // nobody at the other end of the cable
+    peer.out.clear();
+    peer.sent = 0;
+    return;
+  }
   log(fmt::format("{} does not read what it is sent: closed", peer.name));
   peer.state = Peer::State::Gone;
   stir(peer);
@@ -175,11 +180,13 @@ bool RobotEnd::gone(PeerId id) const {
   return found == peers_.end() || found->second.state == Peer::State::Gone;
 }
 
-std::vector<RobotEnd::PeerId> RobotEnd::take_stirred() {
-  for (const PeerId id : stirred_) {
+std::span<const RobotEnd::PeerId> RobotEnd::take_stirred() {
+  stirred_before_.swap(stirred_);
+  stirred_.clear();
+  for (const PeerId id : stirred_before_) {
     if (const auto found = peers_.find(id); found != peers_.end()) found->second.stirred = false;
   }
-  return std::exchange(stirred_, {});
+  return stirred_before_;
 }
 
 void RobotEnd::stir(Peer& peer) {
@@ -209,7 +216,8 @@ void RobotEnd::poll(double now_s) {
 double RobotEnd::due_s() const {
   double due_s = running_ ? next_tick_s_ : kInf;
   for (const auto& [id, peer] : peers_) {
-    if (peer.state == Peer::State::New && peer.carrier == Carrier::Stream) {
+    if (peer.carrier == Carrier::Packets || peer.state == Peer::State::Gone) continue;
+    if (peer.state == Peer::State::New) {
       due_s = std::min(due_s, peer.opened_s + config_.handshake_s);
     }
     if (peer.pending() > 0) due_s = std::min(due_s, peer.unread_s + config_.unread_s);

@@ -47,7 +47,8 @@ class RobotEnd {
   /// The connection is to be closed whatever is outgoing.
   bool gone(PeerId peer) const;
   /// Those to look at since the last call: something is outgoing, or they are to be closed.
-  std::vector<PeerId> take_stirred();
+  /// Valid until the next call.
+  std::span<const PeerId> take_stirred();
 
   /// Time passes: ticks of a free-running robot, deadlines. Next needed at due_s().
   void poll(double now_s);
@@ -75,9 +76,9 @@ class RobotEnd {
   void read(PeerId id, Peer& peer, double now_s);
   void handle(FrameKind kind, PeerId id, Peer& peer, double now_s);
   void greet(PeerId id, Peer& peer, double now_s);
-  bool admit(PeerId id, Peer& peer, double now_s);
+  bool admit(PeerId id, Peer& peer, bool again, double now_s);
   bool resume(PeerId id, Peer& peer, double now_s);
-  bool begin(PeerId id, Peer& peer, double now_s);
+  bool begin(PeerId id, Peer& peer, bool again, double now_s);
   void command(FrameKind kind, Peer& peer, double now_s);
   void act(Peer& peer, double now_s);
   void step(Peer& peer);
@@ -108,7 +109,7 @@ class RobotEnd {
   LinkedRobot robot_;
   std::map<PeerId, Peer> peers_;
   PeerId next_id_ = 1;
-  std::vector<PeerId> stirred_;
+  std::vector<PeerId> stirred_, stirred_before_;
   std::uint32_t sessions_ended_ = 0;
   std::optional<Session> session_;
   bool running_ = false;  // the robot's own clock goes

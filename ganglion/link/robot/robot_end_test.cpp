@@ -210,6 +210,50 @@ TEST_F(RobotEndTest, IgnoresWhatALaterVersionAdds) {
   EXPECT_FALSE(end_.closing(peer));
 }
 
+TEST_F(RobotEndTest, LetsAControllerOnASerialLineStartAgain) {
+  const auto line = end_.open(Carrier::Packets, "serial", now_s_);
+  FrameWriter writer(Carrier::Packets, Encoding::Binary);
+  wire::Hello hello;
+  hello.set_major(1);
+  std::string bytes;
+  ASSERT_TRUE(writer.append(hello, bytes));
+  wire::Act act;
+  act.add_values(0.5);
+  act.add_values(0.5);
+  ASSERT_TRUE(writer.append(act, bytes));
+  say(line, bytes);
+  ASSERT_EQ(robot_.done().size(), 1u);
+  bytes.clear();
+  hello.set_role(wire::WATCH);  // somebody else was plugged in, who only looks
+  ASSERT_TRUE(writer.append(hello, bytes));
+  say(line, bytes);
+  EXPECT_FALSE(end_.commands(line));
+  bytes.clear();
+  hello.set_role(wire::COMMAND);
+  ASSERT_TRUE(writer.append(hello, bytes));
+  now_s_ = 2;
+  say(line, bytes);
+  EXPECT_TRUE(end_.commands(line));
+}
+
+TEST_F(RobotEndTest, ForgetsWhatASerialLineDoesNotTake) {
+  const auto line = end_.open(Carrier::Packets, "serial", now_s_);
+  FrameWriter writer(Carrier::Packets, Encoding::Binary);
+  wire::Hello hello;
+  hello.set_major(1);
+  hello.set_role(wire::WATCH);
+  std::string bytes;
+  ASSERT_TRUE(writer.append(hello, bytes));
+  for (int n = 0; n < 20'000; ++n) {
+    end_.receive(line, bytes, now_s_);
+    ASSERT_LE(end_.outgoing(line).size(), std::size_t{4} << 20);
+  }
+  now_s_ = 100;
+  end_.poll(now_s_);
+  EXPECT_FALSE(end_.gone(line));
+  EXPECT_GT(end_.due_s(), now_s_);
+}
+
 /// Sessions with a few bytes changed, left out or put in, fed in pieces.
 TEST(RobotEnd, SurvivesSpoiltSessions) {
   std::mt19937 chance(5);

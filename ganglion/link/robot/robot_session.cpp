@@ -16,12 +16,18 @@ void RobotEnd::greet(PeerId id, Peer& peer, double now_s) {
   if (peer.accepted() && peer.carrier == Carrier::Stream) {
     return refuse(peer, wire::BROKEN, "Hello is said once in a connection");
   }
+  const bool again = commands(id);  // over a serial line, which was unplugged or whose controller was started again
+  if (again) {
+    session_->peer.reset();
+    session_->lost_s = now_s;
+    peer.state = Peer::State::New;
+  }
   peer.writer.emplace(peer.carrier, *peer.reader.encoding());
   peer.floats = in_.hello.floats();
   peer.truth = in_.hello.truth();
   peer.told.clear();
   const bool resumed = !in_.hello.token().empty();
-  if (!admit(id, peer, now_s)) return;
+  if (!admit(id, peer, again, now_s)) return;
   wire::Hello answer;
   answer.set_major(1);
   answer.set_name(config_.name);
@@ -36,7 +42,7 @@ void RobotEnd::greet(PeerId id, Peer& peer, double now_s) {
   send_sense(peer, true);
 }
 
-bool RobotEnd::admit(PeerId id, Peer& peer, double now_s) {
+bool RobotEnd::admit(PeerId id, Peer& peer, bool again, double now_s) {
   if (in_.hello.major() != 1) {
     refuse(peer, wire::VERSION,
            fmt::format("this robot speaks protocol 1.0, not {}.{}: use a controller of the same major version",
@@ -60,7 +66,7 @@ bool RobotEnd::admit(PeerId id, Peer& peer, double now_s) {
                        in_.hello.pace() == wire::LOCK_STEP ? "in lock-step" : "free-running"));
     return false;
   }
-  return in_.hello.token().empty() ? begin(id, peer, now_s) : resume(id, peer, now_s);
+  return in_.hello.token().empty() ? begin(id, peer, again, now_s) : resume(id, peer, now_s);
 }
 
 bool RobotEnd::resume(PeerId id, Peer& peer, double now_s) {
@@ -87,14 +93,13 @@ bool RobotEnd::place_free(double now_s) const noexcept {
   return now_s - session_->heard_s >= (session_->commanded ? config_.silent_after_s : config_.free_after_s);
 }
 
-bool RobotEnd::begin(PeerId id, Peer& peer, double now_s) {
-  const bool same = session_ && session_->peer == id;  // a serial line that was unplugged
-  if (!same && !place_free(now_s)) {
+bool RobotEnd::begin(PeerId id, Peer& peer, bool again, double now_s) {
+  if (!again && !place_free(now_s)) {
     refuse(peer, wire::BUSY,
            fmt::format("{} commands this robot: watch (role WATCH), or come back when it is done", session_->name));
     return false;
   }
-  if (!same && session_ && session_->peer) {
+  if (session_ && session_->peer) {
     refuse(peers_.at(*session_->peer), wire::REPLACED, "silent for too long: another controller took the place");
   }
   Session session;

@@ -46,6 +46,8 @@ void write_truth(const sim::Truth& truth, wire::Truth& out) {
   out.set_contacts(static_cast<std::uint32_t>(truth.contacts));
   out.set_fastest_contact_mps(truth.fastest_contact_mps);
   out.set_touched(truth.touched);
+  out.set_stalled(truth.stalled);
+  out.set_tipped(truth.tipped);
 }
 
 void write_movers(std::span<const sim::MoverState> movers, wire::Sense& out) {

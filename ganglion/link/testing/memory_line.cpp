@@ -76,10 +76,10 @@ Result<std::size_t> MemoryLine::receive(std::span<char> room, double until_s) {
 }
 
 void MemoryLine::wait_until(double until_s) {
-  while (now_s_ < until_s) {
-    now_s_ = std::min(until_s, std::max(now_s_ + 1e-6, end_.due_s()));
+  do {
+    now_s_ = std::max(now_s_, std::min(until_s, std::max(now_s_ + 1e-6, end_.due_s())));
     end_.poll(now_s_);
-  }
+  } while (now_s_ < until_s);
 }
 
 }  // namespace ganglion::link

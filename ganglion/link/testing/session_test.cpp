@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "ganglion/link/testing/bench.h"
+#include "ganglion/module/testing/allocations.h"
 
 // Both ends of the link against each other, in memory and in a time of their own.
 namespace ganglion::link {
@@ -51,6 +52,39 @@ void check_cut(MemoryLine::Cut cut, const std::vector<double>& expected, const s
   ASSERT_TRUE(same_bits(sensed, expected));
   ASSERT_EQ(bench.robot.done(), done);
   ASSERT_GE(bench.line->connections(), 2);  // more while the place is held for the first one
+}
+
+TEST(LinkSession, TakesNoMemoryOnceWarm) {
+  NotebookRobot robot(10);
+  RobotEnd end(robot, nullptr, robot_config());
+  ControllerEnd controller({});
+  const auto peer = end.open(Carrier::Stream, "", 0);
+  std::string answer;
+  const auto exchange = [&] {
+    end.receive(peer, controller.outgoing(), 0);
+    controller.outgoing().clear();
+    end.take_stirred();
+    answer.assign(end.outgoing(peer));
+    end.sent(peer, answer.size(), 0);
+    controller.receive(answer, 0);
+  };
+  controller.greet(0);
+  controller.connected(0);
+  exchange();
+  ASSERT_TRUE(controller.done());
+  std::vector<SenseFrame> sense(10, make_sense_frame(robot.description()));
+  std::vector<ActFrame> act(10, make_act_frame(robot.description()));
+  std::uint64_t before = 0;
+  for (int tick = 0; tick < 110; ++tick) {
+    if (tick == 70) before = ganglion::testing::allocations();  // the robot's notebook has room for 128
+    ASSERT_TRUE(read_senses(controller.sense(), sense));
+    for (ActFrame& frame : act) std::fill(frame.values.begin(), frame.values.end(), 0.01 * tick);
+    controller.act(act, 0.1, 0);
+    exchange();
+    ASSERT_TRUE(controller.done());
+  }
+  EXPECT_EQ(ganglion::testing::allocations(), before);
+  EXPECT_EQ(robot.done().size(), 110u);
 }
 
 class CutLink : public ::testing::TestWithParam<std::tuple<Way, CutBy>> {};

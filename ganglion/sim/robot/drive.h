@@ -16,7 +16,7 @@ struct Movement {
   double turn_rad = 0;     ///< Counter-clockwise.
   double left_m = 0;       ///< Way of the wheels' rims.
   double right_m = 0;
-  double effort = 0;  ///< Share of full power taken, in [0, 1].
+  double effort = 0;  ///< Share of full power taken, in [0, 1]; up to twice that uphill (FloorRide).
   double path_m = 0;  ///< Length of the centre's path; a curve is longer than its displacement.
 };
 
@@ -42,6 +42,8 @@ class Drive {
   /// The centre's speed if it is the same in all sub-steps to come, which are exact then however long they are; +inf
   /// where the drive cannot promise that, and short sub-steps are taken.
   virtual double steady_mps() const noexcept { return std::numeric_limits<double>::infinity(); }
+  /// Whether another robot can push it away; one that goes by places keeps to them.
+  virtual bool yields() const noexcept { return true; }
   /// What move() would give; asked only of drives with a steady_mps().
   virtual Movement foreseen(const Pose2& pose, double step_s) const noexcept {
     static_cast<void>(pose), static_cast<void>(step_s);

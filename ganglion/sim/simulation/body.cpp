@@ -7,13 +7,21 @@
 namespace ganglion::sim {
 namespace {
 
-constexpr double kTimeTolerance_s = 1e-9;   // pieces of a sub-step shorter than this are rounding
-constexpr double kTouchTolerance_m = 1e-6;  // discs this close to each other touch
-constexpr double kClear_m = 1e-6;           // left over where nothing is met
-constexpr double kLookAhead_m = 0.5;        // beyond a step's way when the ground is looked at: for the next steps
+constexpr double kTimeTolerance_s = 1e-9;  // pieces of a sub-step shorter than this are rounding
+constexpr double kClear_m = 1e-6;          // left over where nothing is met
+constexpr double kLookAhead_m = 0.5;       // beyond a step's way when the ground is looked at: for the next steps
 constexpr double kRounding_m = 1e-12;
-constexpr double kGraze_mps = 1e-3;    // slower approaches are no contacts to count
-constexpr double kAlongNormal = 0.99;  // cosine between a contact's normal and the line from the robot that was hit
+constexpr double kGraze_mps = 1e-3;  // slower approaches are no contacts to count
+
+/// Two movements of which the first took that share of the time.
+Movement one_after_the_other(const Movement& first, const Movement& second, double share) noexcept {
+  return {.displacement = first.displacement + second.displacement,
+          .turn_rad = first.turn_rad + second.turn_rad,
+          .left_m = first.left_m + second.left_m,
+          .right_m = first.right_m + second.right_m,
+          .effort = first.effort * share + second.effort * (1 - share),
+          .path_m = first.path_m + second.path_m};
+}
 
 }  // namespace
 
@@ -23,21 +31,16 @@ Body::Body(const RobotModel& model, std::unique_ptr<Drive> drive)
   command_ = safe_;
 }
 
-void Body::make_room(std::size_t robots) {
-  near_.reserve(robots);
-  bumps_.reserve(robots);
-}
-
 void Body::reset(const Pose2& pose, const StreamId& chance) noexcept {
   truth_ = {};
   truth_.pose = truth_.start = {pose.position, pose.yaw.wrapped()};
   ahead_ = direction(truth_.pose.yaw.rad());
   contacts_.clear();
+  leaning_ = false;
   room_m_ = 0;
   drive_->reset();
   ride_.reset(chance);
   sag(0);
-  bumps_.clear();
 }
 
 void Body::begin(const ActFrame& frame, double step_s) noexcept {
@@ -91,7 +94,6 @@ double Body::nearest_m(Vector2 point, double way_m, double step_s) const noexcep
 }
 
 void Body::advance_freely(double step_s) noexcept {
-  bumps_.clear();
   const Movement movement = drive_->move(truth_.pose, step_s);
   const bool moves = movement.displacement.squared() > 0;
   if (moves) truth_.touching = false;
@@ -99,45 +101,34 @@ void Body::advance_freely(double step_s) noexcept {
   drive_->feel(false);
 }
 
-void Body::advance(const World& world, Neighbours& all, std::size_t self, double elapsed_s, double time_s,
-                   double step_s) noexcept {
-  bumps_.clear();
+void Body::intend(const Floor& floor, double elapsed_s, double step_s) noexcept {
   const double left_s = ttl_s_ - elapsed_s;
   if (!lapsed_ && !(left_s > kTimeTolerance_s)) lapse(step_s);
   if (lapsed_ || left_s >= step_s - kTimeTolerance_s) {
-    move(world, all, self, time_s, step_s);
-    return;
+    intent_ = drive_->move(truth_.pose, step_s);
+  } else {
+    const Movement first = drive_->move(truth_.pose, left_s);
+    const Pose2 between{truth_.pose.position + first.displacement, truth_.pose.yaw + Angle::from_rad(first.turn_rad)};
+    lapse(step_s);
+    intent_ = one_after_the_other(first, drive_->move(between, step_s - left_s), left_s / step_s);
   }
-  move(world, all, self, time_s, left_s);
-  lapse(step_s);
-  move(world, all, self, time_s + left_s, step_s - left_s);
+  if (!floor.plain()) intent_ = ride_.over(floor, intent_, truth_);
 }
 
-World::Slide Body::slide(const World& world, Neighbours& all, std::size_t self, Vector2 displacement) noexcept {
-  near_.clear();
-  const Vector2 from = truth_.pose.position;
-  const double reach_m = displacement.length() + 2 * model_->radius_m + kTouchTolerance_m;
-  for (const std::uint32_t other : all.within(from, reach_m, self)) near_.push_back(all.discs()[other]);
-  return world.slide(from, displacement, model_->radius_m, near_);
+void Body::stand_alone() noexcept {
+  if (leaning_) truth_.touching = leaning_ = false;
 }
 
-void Body::move(const World& world, Neighbours& all, std::size_t self, double time_s, double step_s) noexcept {
-  const Floor& floor = world.ground().plan().floor;
-  Movement movement = drive_->move(truth_.pose, step_s);
-  if (!floor.plain()) movement = ride_.over(floor, movement, truth_);
-  World::Slide result{truth_.pose.position, truth_.touching, truth_.contact_normal};  // at rest nothing changes
-  const bool moves = movement.displacement.squared() > 0;
-  if (moves) result = slide(world, all, self, movement.displacement);
-  if (!floor.bumps.empty()) movement.turn_rad += ride_.jolt_rad(floor, truth_.pose.position, result.position);
-  truth_.touching = result.touched;
-  truth_.touched = truth_.touched || result.touched;
-  go(movement, result.position, (result.position - truth_.pose.position).length(), step_s);
-  if (moves && result.touched) {
-    const double speed_mps = std::max(0.0, -movement.displacement.dot(result.normal) / step_s);
-    note_contact(result.normal, speed_mps, time_s);
-    note_bumps(all, self, result.normal, speed_mps);
+void Body::settle(const Floor& floor, Vector2 to, bool pressed, double step_s) noexcept {
+  const bool wants = intent_.displacement.squared() > 0;
+  if (!floor.bumps.empty()) intent_.turn_rad += ride_.jolt_rad(floor, truth_.pose.position, to);
+  if (wants || pressed || !(to == truth_.pose.position)) {  // at rest nothing changes
+    truth_.touching = pressed;
+    leaning_ = false;
   }
-  drive_->feel(moves && result.touched);
+  truth_.touched = truth_.touched || truth_.touching;
+  go(intent_, to, (to - truth_.pose.position).length(), step_s);
+  drive_->feel(wants && pressed);
 }
 
 void Body::go(const Movement& movement, Vector2 to, double path_m, double step_s) noexcept {
@@ -166,19 +157,6 @@ void Body::note_contact(Vector2 normal, double speed_mps, double time_s) noexcep
   truth_.contact_speed_mps = std::max(truth_.contact_speed_mps, speed_mps);
   truth_.fastest_contact_mps = std::max(truth_.fastest_contact_mps, speed_mps);
   spend(model_->energy.contact_J);
-}
-
-void Body::note_bumps(Neighbours& all, std::size_t self, Vector2 normal, double speed_mps) noexcept {
-  const double touch_m = 2 * model_->radius_m + kTouchTolerance_m;
-  for (const std::uint32_t other : all.within(truth_.pose.position, touch_m, self)) {
-    const Vector2 apart = truth_.pose.position - all.discs()[other].position;
-    if (apart.dot(normal) >= kAlongNormal * apart.length()) bumps_.push_back({other, normal, speed_mps});
-  }
-}
-
-void Body::bumped(Vector2 normal, double speed_mps, double time_s) noexcept {
-  truth_.touching = truth_.touched = true;
-  note_contact(normal, speed_mps, time_s);
 }
 
 void Body::spend(double energy_J) noexcept {

@@ -6,8 +6,8 @@
 #include "ganglion/application/application.h"
 #include "ganglion/sim/robot/robot_model.h"
 #include "ganglion/sim/simulation/contact_memory.h"
+#include "ganglion/sim/simulation/crowd.h"
 #include "ganglion/sim/simulation/floor_ride.h"
-#include "ganglion/sim/simulation/neighbours.h"
 
 namespace ganglion::sim {
 
@@ -16,8 +16,6 @@ class Body {
  public:
   Body(const RobotModel& model, std::unique_ptr<Drive> drive);
 
-  /// Takes the memory that a step among so many robots needs.
-  void make_room(std::size_t robots);
   /// `chance` is the source of what the floor does to it.
   void reset(const Pose2& pose, const StreamId& chance) noexcept;
   /// A step begins: takes the commands, made finite and put within their limits.
@@ -31,20 +29,23 @@ class Body {
   double nearest_m(Vector2 point, double way_m, double step_s) const noexcept;
   /// The whole step at once, for a robot that drives steadily and meets nothing.
   void advance_freely(double step_s) noexcept;
-  /// The sub-step [elapsed_s, elapsed_s + step_s) of that step, begun at time_s. Where the time to live ends within it,
-  /// it is cut there. `all` holds this robot at index `self`.
-  void advance(const World& world, Neighbours& all, std::size_t self, double elapsed_s, double time_s,
-               double step_s) noexcept;
-  /// The robots it ran into in the last sub-step, as indices, and how fast.
-  struct Bump {
-    std::size_t robot = 0;
-    Vector2 normal{};  ///< Away from the other.
-    double speed_mps = 0;
-  };
-  std::span<const Bump> bumps() const noexcept { return bumps_; }
-  /// Another robot ran into this one. `normal` points away from it.
-  void bumped(Vector2 normal, double speed_mps, double time_s) noexcept;
+  /// Takes from the drive what it wants to do in the sub-step [elapsed_s, elapsed_s + step_s) of that step. Where the
+  /// time to live ends within it, what is wanted before and after is put together.
+  void intend(const Floor& floor, double elapsed_s, double step_s) noexcept;
+  /// The way its centre would then go, and the room that is known to be round it.
+  Crowd::Wish wish() const noexcept { return {intent_.displacement, room_m_}; }
+  /// That sub-step ends with the body at `to`, pressed against something or not.
+  void settle(const Floor& floor, Vector2 to, bool pressed, double step_s) noexcept;
+  /// It presses against something at time_s; `normal` points away from that. speed_mps is how fast they came together.
+  void note_contact(Vector2 normal, double speed_mps, double time_s) noexcept;
+  /// Another robot presses against this one. Touching ends when that goes away, unlike a wall.
+  void lean() noexcept { truth_.touching = truth_.touched = leaning_ = true; }
+  bool leaning() const noexcept { return leaning_; }
+  /// No other robot touches it any more.
+  void stand_alone() noexcept;
 
+  /// See Drive::yields().
+  bool yields() const noexcept { return drive_->yields(); }
   const Truth& truth() const noexcept { return truth_; }
   /// The unit vector of its yaw.
   Vector2 ahead() const noexcept { return ahead_; }
@@ -58,11 +59,7 @@ class Body {
   };
   Way way(double way_m, double step_s) const noexcept;
   void lapse(double step_s) noexcept;
-  void move(const World& world, Neighbours& all, std::size_t self, double time_s, double step_s) noexcept;
-  World::Slide slide(const World& world, Neighbours& all, std::size_t self, Vector2 displacement) noexcept;
   void go(const Movement& movement, Vector2 to, double path_m, double step_s) noexcept;
-  void note_contact(Vector2 normal, double speed_mps, double time_s) noexcept;
-  void note_bumps(Neighbours& all, std::size_t self, Vector2 normal, double speed_mps) noexcept;
   void spend(double energy_J) noexcept;
   /// The battery after a sub-step under that power, for the next one.
   void sag(double power_W) noexcept;
@@ -70,8 +67,8 @@ class Body {
   const RobotModel* model_;
   std::unique_ptr<Drive> drive_;
   std::vector<double> command_, safe_;
-  std::vector<Disc> near_;  // in the way, room for all other robots
-  std::vector<Bump> bumps_;
+  Movement intent_;       // of the present sub-step
+  bool leaning_ = false;  // against a robot, when it was last pressed
   double ttl_s_ = 0;
   bool lapsed_ = false;
   double room_m_ = 0;  // no surface of the ground is nearer to the body than this

@@ -1,6 +1,7 @@
 #include "ganglion/sim/simulation/floor_ride.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "ganglion/base/hash.h"
@@ -25,7 +26,10 @@ Movement slipping(Movement movement, double left_share, double right_share, doub
 }  // namespace
 
 FloorRide::FloorRide(const RobotModel& model) noexcept
-    : model_(&model), climb_grade_(grade_of(model.climb_rad)), tip_grade_(grade_of(model.tip_rad)) {}
+    : model_(&model),
+      climb_grade_(grade_of(model.climb_rad)),
+      climb_sine_(math::sin(model.climb_rad)),
+      tip_grade_(grade_of(model.tip_rad)) {}
 
 void FloorRide::reset(const StreamId& stream) noexcept {
   stream_ = stream;
@@ -33,6 +37,19 @@ void FloorRide::reset(const StreamId& stream) noexcept {
 }
 
 void FloorRide::begin() noexcept { ++steps_; }
+
+/// A movement along which the floor rises by `rise` for each metre of the plan.
+Movement FloorRide::laden(Movement movement, double rise) const noexcept {
+  const double sine = rise / std::sqrt(1 + rise * rise);
+  const double load = sine < climb_sine_ ? sine / climb_sine_ : 1;  // climb_sine_ may be 0
+  movement.effort *= std::max(0.0, 1 + load);
+  if (load <= 0) return movement;
+  const double lost_m = load * (movement.left_m + movement.right_m) / 2;
+  movement.left_m -= lost_m;
+  movement.right_m -= lost_m;
+  movement.displacement = movement.displacement * (1 - load);
+  return movement;
+}
 
 Movement FloorRide::over(const Floor& floor, const Movement& wanted, Truth& truth) noexcept {
   truth.stalled = false;
@@ -45,14 +62,17 @@ Movement FloorRide::over(const Floor& floor, const Movement& wanted, Truth& trut
     movement.turn_rad = 0;
     return movement;
   }
+  const double way_m = movement.displacement.length();
+  const double rise = way_m > 0 ? movement.displacement.dot(zone->uphill) / way_m * zone->grade : 0;
+  const bool too_steep = rise > climb_grade_;
+  if (rise != 0 && !too_steep) movement = laden(movement, rise);
   if (zone->slip > 0 || zone->slip_spread > 0) {
     Draws draws(stream_, steps_);
     const double left = std::clamp(zone->slip + zone->slip_spread * draws.normal(), 0.0, 1.0);
     const double right = std::clamp(zone->slip + zone->slip_spread * draws.normal(), 0.0, 1.0);
     movement = slipping(movement, left, right, model_->description.width_m);
   }
-  const double rise_m = movement.displacement.dot(zone->uphill) * zone->grade;
-  if (rise_m > climb_grade_ * movement.displacement.length()) {
+  if (too_steep) {
     movement.displacement = {};
     truth.stalled = true;
   }

@@ -100,7 +100,54 @@ TEST(FloorRide, TipsOverForGood) {
   EXPECT_FALSE(trial.truth().tipped);
   Trial sturdy(with(kRamp), kFast, at(3.5, 5));
   sturdy.go({0.5, 0.5}, 0.1, 40);
-  EXPECT_NEAR(sturdy.truth().pose.position.x, 5.5, 1e-9);
+  EXPECT_FALSE(sturdy.truth().tipped);
+  EXPECT_FALSE(sturdy.truth().stalled);
+  EXPECT_GT(sturdy.truth().pose.position.x, 4.9);
+}
+
+/// A drive that just climbs 30 deg, on a slope of 10 deg that rises along x: sin 10 deg / sin 30 deg = 0.347296.
+constexpr double kLoad = 0.347296355;
+Trial on_the_slope(double yaw_deg) {
+  Problems problems;
+  const auto model = parse_robot(body("climb_deg = 30\n") + kEncoders + "[energy]\nidle_W = 1\ndrive_W = 4\n", "r.toml",
+                                 testing::kKinds, problems);
+  EXPECT_TRUE(model) << problems.text();
+  const std::string slope = "[[floor]]\nx_m = 5\ny_m = 5\nlength_m = 9\nwidth_m = 9\nslope_deg = 10\n";
+  return {testing::ground_of(with(slope)), model, at(5, 5, yaw_deg), 1};
+}
+
+TEST(FloorRide, GoesSlowerAndTakesMorePowerUphill) {
+  Trial trial = on_the_slope(0);
+  trial.go({0.5, 0.5}, 0.1, 20);  // 1 m on level ground
+  EXPECT_NEAR(trial.truth().pose.position.x, 5 + 1 - kLoad, 1e-6);
+  EXPECT_NEAR(trial.value("e.left"), 1 - kLoad, 1e-6);
+  EXPECT_NEAR(trial.value("e.right"), 1 - kLoad, 1e-6);
+  EXPECT_NEAR(trial.truth().energy_J, 2 * (1 + 4 * 0.5 * (1 + kLoad)), 1e-6);
+  Trial backwards = on_the_slope(180);
+  backwards.go({-0.5, -0.5}, 0.1, 20);
+  EXPECT_NEAR(backwards.truth().pose.position.x, 5 + 1 - kLoad, 1e-6);
+  EXPECT_NEAR(backwards.value("e.left"), -1 + kLoad, 1e-6);
+}
+
+TEST(FloorRide, TakesLessPowerDownhillAndGoesNoFaster) {
+  Trial trial = on_the_slope(180);
+  trial.go({0.5, 0.5}, 0.1, 20);
+  EXPECT_NEAR(trial.truth().pose.position.x, 4, 1e-6);
+  EXPECT_NEAR(trial.truth().energy_J, 2 * (1 + 4 * 0.5 * (1 - kLoad)), 1e-6);
+}
+
+TEST(FloorRide, CountsOnlyTheSlopeAlongTheWay) {
+  Trial along = on_the_slope(90);  // a contour line
+  along.go({0.5, 0.5}, 0.1, 20);
+  EXPECT_NEAR(along.truth().pose.position.y, 6, 1e-6);
+  EXPECT_NEAR(along.truth().energy_J, 2 * (1 + 4 * 0.5), 1e-6);
+  Trial aslant = on_the_slope(60);  // rises by tan 10 deg / 2 a metre: sin atan 0.0881635 = 0.0878229, / sin 30 deg
+  aslant.go({0.5, 0.5}, 0.1, 20);
+  EXPECT_NEAR(aslant.truth().travelled_m, 1 - 0.1756458, 1e-6);
+  Trial turning = on_the_slope(0);
+  turning.go({-0.1, 0.1}, 0.1, 10);
+  EXPECT_NEAR(turning.truth().pose.yaw.rad(), 1, 1e-9);
+  EXPECT_NEAR(turning.truth().energy_J, 1 + 4 * 0.1, 1e-9);
 }
 
 // A battery of 400 J under 20 W and 0.4 ohm, 10 V full and 8 V empty.

@@ -131,24 +131,6 @@ TEST(Simulation, KeepsTouchingWhileARobotRestsAtAWall) {
   EXPECT_EQ(run.value("skin.contact"), 0);
 }
 
-TEST(Simulation, LetsRobotsBlockEachOther) {
-  Trial run(kRoom, kFast + "[[sensor]]\nid = \"skin\"\nkind = \"Bumper\"\n", SpawnPoses{{{{4, 5}, {}}, {{5, 5}, {}}}},
-            2);
-  run.acts[1].values = {0, 0};
-  for (int n = 0; n < 10; ++n) {
-    run.acts[0].values = {1, 1};
-    run.simulation->step(run.acts, 0.1);
-    run.simulation->sense(run.senses);
-  }
-  EXPECT_NEAR(run.truth(0).pose.position.x, 4.8, 1e-6);  // two radii off
-  EXPECT_EQ(run.truth(1).pose.position.x, 5);
-  EXPECT_EQ(run.value("skin.contact", 0), 1);
-  EXPECT_EQ(run.value("skin.contact", 1), 1);  // who was run into feels it as well
-  EXPECT_EQ(run.truth(0).contacts, 1);
-  EXPECT_EQ(run.truth(1).contacts, 1);
-  EXPECT_NEAR(run.truth(1).fastest_contact_mps, 1, 1e-9);
-}
-
 TEST(Simulation, ReturnsASteppingRobotThatTouchedSomething) {
   const std::string world = std::string(kRoom) + "[[box]]\nx_m = 1.25\ny_m = 0.25\nlength_m = 0.5\nwidth_m = 0.5\n";
   Trial run(world, "[drive]\nkind = \"Stepper\"\n[[sensor]]\nid = \"skin\"\nkind = \"Bumper\"\n", at(0.75, 0.25));

@@ -38,7 +38,6 @@ Result<void> Simulation::add_bodies() {
     auto drive = model.drive->make(model.drive_parameters);
     if (!drive) return tl::unexpected<Error>(drive.error());
     bodies_.emplace_back(model, std::move(*drive));
-    bodies_.back().make_room(robots);
   }
   return {};
 }
@@ -60,8 +59,12 @@ void Simulation::prepare() {
   values_.resize(stride_ * bodies_.size());
   ages_s_.resize(config_.model->description.sensations.size());
   way_m_.resize(bodies_.size());
+  is_busy_.resize(bodies_.size());
   alone_m_.resize(bodies_.size());
   busy_.reserve(bodies_.size());
+  wishes_.resize(bodies_.size());
+  crowd_ = std::make_unique<Crowd>(config_.model->radius_m, bodies_.front().yields());
+  crowd_->make_room(bodies_.size());
   draws_.reserve(devices_.size());
   lookout_ = std::make_unique<Lookout>(world_, neighbours_, bodies_.size(), *config_.model, devices_);
 }
@@ -165,6 +168,21 @@ bool Simulation::goes_freely(std::size_t robot, double longest_m, double step_s)
   return true;
 }
 
+void Simulation::wake_standing_robots(double longest_m) noexcept {
+  std::fill(is_busy_.begin(), is_busy_.end(), 0);
+  for (const std::size_t i : busy_) is_busy_[i] = 1;
+  const std::size_t moving = busy_.size();
+  const double reach_m = 2 * config_.model->radius_m + longest_m + kClear_m;
+  for (std::size_t n = 0; n < busy_.size(); ++n) {
+    for (const std::uint32_t other : neighbours_.within(bodies_[busy_[n]].truth().pose.position, reach_m, busy_[n])) {
+      if (is_busy_[other] != 0 || way_m_[other] > 0) continue;
+      is_busy_[other] = 1;
+      busy_.push_back(other);
+    }
+  }
+  if (busy_.size() > moving) std::sort(busy_.begin(), busy_.end());
+}
+
 void Simulation::move_free_robots(double step_s) noexcept {
   double longest_m = 0;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -175,6 +193,7 @@ void Simulation::move_free_robots(double step_s) noexcept {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (!goes_freely(i, longest_m, step_s)) busy_.push_back(i);
   }
+  if (bodies_.front().yields()) wake_standing_robots(longest_m);
   std::size_t busy = 0;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (busy < busy_.size() && busy_[busy] == i) {
@@ -183,21 +202,51 @@ void Simulation::move_free_robots(double step_s) noexcept {
     }
     bodies_[i].advance_freely(step_s);
     neighbours_.put(i, bodies_[i].disc());
+    part(i);
   }
+}
+
+void Simulation::part(std::size_t robot) noexcept {
+  Body& body = bodies_[robot];
+  if (!body.leaning()) return;
+  const double touch_m = 2 * config_.model->radius_m + kClear_m;
+  if (neighbours_.within(body.truth().pose.position, touch_m, robot).empty()) body.stand_alone();
 }
 
 void Simulation::move_busy_robots(double elapsed_s, double step_s) noexcept {
   for (const std::size_t i : busy_) {
-    bodies_[i].advance(world_, neighbours_, i, elapsed_s, time_s_ + elapsed_s, step_s);
-    neighbours_.put(i, bodies_[i].disc());
-    tell_bumps(i, time_s_ + elapsed_s);
+    bodies_[i].intend(world_.ground().plan().floor, elapsed_s, step_s);
+    wishes_[i] = bodies_[i].wish();
   }
+  crowd_->gather(neighbours_, busy_, wishes_);
+  for (const std::size_t i : busy_) {
+    if (!crowd_->has(i)) move_alone(i, time_s_ + elapsed_s, step_s);
+  }
+  if (!crowd_->members().empty()) move_crowd(time_s_ + elapsed_s, step_s);
 }
 
-void Simulation::tell_bumps(std::size_t robot, double time_s) noexcept {
-  for (const Body::Bump& bump : bodies_[robot].bumps()) {
-    bodies_[bump.robot].bumped(-bump.normal, bump.speed_mps, time_s);
+void Simulation::move_alone(std::size_t robot, double time_s, double step_s) noexcept {
+  Body& body = bodies_[robot];
+  World::Slide slide{body.truth().pose.position, false, {}};
+  if (wishes_[robot].way.squared() > 0)
+    slide = world_.slide(slide.position, wishes_[robot].way, config_.model->radius_m);
+  body.settle(world_.ground().plan().floor, slide.position, slide.touched, step_s);
+  if (slide.touched) body.note_contact(slide.normal, -wishes_[robot].way.dot(slide.normal) / step_s, time_s);
+  neighbours_.put(robot, body.disc());
+  part(robot);
+}
+
+void Simulation::move_crowd(double time_s, double step_s) noexcept {
+  crowd_->push(world_, neighbours_);
+  const Floor& floor = world_.ground().plan().floor;
+  for (const std::size_t i : crowd_->members())
+    bodies_[i].settle(floor, neighbours_.discs()[i].position, crowd_->pressed(i), step_s);
+  for (const Crowd::Press& press : crowd_->presses()) {
+    Body& body = bodies_[press.robot];
+    if (!press.wall) body.lean();
+    body.note_contact(press.normal, press.closing_m / step_s, time_s);
   }
+  for (const std::size_t i : crowd_->members()) part(i);
 }
 
 void Simulation::run_devices(double begin_s, double now_s, double end_s) noexcept {

@@ -8,6 +8,7 @@
 #include "ganglion/sim/robot/robot_model.h"
 #include "ganglion/sim/robot/witness.h"
 #include "ganglion/sim/simulation/body.h"
+#include "ganglion/sim/simulation/crowd.h"
 #include "ganglion/sim/simulation/device.h"
 #include "ganglion/sim/simulation/lookout.h"
 #include "ganglion/sim/simulation/spawn.h"
@@ -24,8 +25,8 @@ struct SimulationConfig {
 /// Robots of one model in a world, as an Application. Robots are solid to each other and seen by each other's sensors;
 /// a robot that nobody comes near has the same bits whether it is alone or among others.
 ///
-/// A step is cut into sub-steps of at most model.substep_s. In each the movers go first, then the robots in the order
-/// of their indices, then their sensors. A sensor fires at the end of the sub-step in which it is due, for a step's
+/// A step is cut into sub-steps of at most model.substep_s. In each the movers go first, then the robots, those who
+/// meet as Crowd says, then their sensors. A sensor fires at the end of the sub-step in which it is due, for a step's
 /// frame only its last firing counts. Where there are no movers, the floor is plain and no sensor wants to know what
 /// happens within a step, robots that drive steadily and can meet nothing on their way go all of it at once, before the
 /// others. Commands lapse to their safe values exactly after their time to live. The cost of a frame is the energy the
@@ -65,11 +66,17 @@ class Simulation final : public Application, public Witness {
   bool devices_wait(double last_s, double end_s) const noexcept;
   /// Moves those that can meet nothing through the whole step; busy_ holds the others.
   void move_free_robots(double step_s) noexcept;
-  /// Whether that robot can meet nothing on its way through the whole step, whatever the others do; none of them goes
+  /// Whether that robot runs into nothing on its way through the whole step, whatever the others do; none of them goes
   /// farther than longest_m.
   bool goes_freely(std::size_t robot, double longest_m, double step_s) noexcept;
+  /// Robots that stand, or turn on the spot, go by sub-steps as well where others might push them, one through another.
+  void wake_standing_robots(double longest_m) noexcept;
   void move_busy_robots(double elapsed_s, double step_s) noexcept;
-  void tell_bumps(std::size_t robot, double time_s) noexcept;
+  /// Moves a robot that meets no other.
+  void move_alone(std::size_t robot, double time_s, double step_s) noexcept;
+  /// Ends a standing robot's touch with one that has gone.
+  void part(std::size_t robot) noexcept;
+  void move_crowd(double time_s, double step_s) noexcept;
   void run_devices(double begin_s, double now_s, double end_s) noexcept;
   void run_devices(std::size_t robot, std::span<const Lookout::Call> calls, double substep_s) noexcept;
   /// Fills draws_ for the calls of a robot's devices.
@@ -85,9 +92,12 @@ class Simulation final : public Application, public Witness {
   std::vector<double> values_;          // of all robots
   std::vector<double> ages_s_;          // of all channels, the same for all robots
   Neighbours neighbours_;
-  std::vector<double> way_m_;      // of each robot in this step
-  std::vector<double> alone_m_;    // how near at least the others were to each after the last step; 0 = unknown
-  std::vector<std::size_t> busy_;  // robots that go by sub-steps in this step
+  std::vector<double> way_m_;  // of each robot in this step
+  std::vector<char> is_busy_;
+  std::vector<double> alone_m_;      // how near at least the others were to each after the last step; 0 = unknown
+  std::vector<std::size_t> busy_;    // robots that go by sub-steps in this step
+  std::vector<Crowd::Wish> wishes_;  // of each robot in this sub-step
+  std::unique_ptr<Crowd> crowd_;
   std::unique_ptr<Lookout> lookout_;
   std::vector<Draws> draws_;  // of the devices of one robot that draw a normal first
   std::uint32_t tick_ = 0;

@@ -28,7 +28,7 @@ void add_shape(const Shape& shape, SurfaceSet& set) {
 SurfaceSet surfaces_of(const GroundPlan& plan) {
   SurfaceSet set;
   if (plan.map) {
-    set.traits.push_back({Material::Rough, true, true});
+    set.traits.push_back({plan.material, true, true});
     for (const auto& [from, to] : plan.map->borders(kMaxSegments)) set.segments.push_back({from, to, 0});
   }
   for (const Shape& shape : plan.shapes) add_shape(shape, set);

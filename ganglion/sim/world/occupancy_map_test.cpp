@@ -131,6 +131,18 @@ TEST_F(MapFiles, TellAllThatIsWrongAtOnce) {
                                          path.string()));
 }
 
+TEST_F(MapFiles, AreRoughUnlessTheirWorldSaysOtherwise) {
+  ASSERT_TRUE(load("P2\n3 1\n255\n254 254 0\n"));  // free from x = 1 to 2, a wall behind
+  const auto material = [&](const std::vector<config::Override>& overrides) {
+    Problems problems;
+    const auto ground = Ground::load(folder_ / "m.yaml", problems, overrides);
+    EXPECT_TRUE(ground) << problems.text();
+    return ground->cast({1.5, 2.25}, {1, 0}, 3)->material;
+  };
+  EXPECT_EQ(material({}), Material::Rough);
+  EXPECT_EQ(material({{"material", "smooth"}}), Material::Smooth);
+}
+
 TEST_F(MapFiles, NameThePictureThatIsNotThere) {
   Problems problems;
   const auto path = write("m.yaml", std::string("image: other.pgm\n") + kPlain);

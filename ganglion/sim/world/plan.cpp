@@ -21,8 +21,8 @@ Vector2 read_position(config::Table& table) {
 
 double read_yaw(config::Table& table) { return Angle::from_deg(table.number("yaw_deg", 0, {-360, 360})).rad(); }
 
-Material read_material(config::Table& table) {
-  return static_cast<Material>(table.choice("material", kMaterialNames, 0));
+Material read_material(config::Table& table, Material preset = Material::Rough) {
+  return static_cast<Material>(table.choice("material", kMaterialNames, static_cast<int>(preset)));
 }
 
 std::optional<Box2> read_box(config::Table& table, std::string_view key) {
@@ -34,19 +34,19 @@ std::optional<Box2> read_box(config::Table& table, std::string_view key) {
 }
 
 /// What every shape may say.
-Shape read_shape(config::Table& table, ItemIds& ids, ShapeKind kind) {
+Shape read_shape(config::Table& table, ItemIds& ids, ShapeKind kind, const GroundPlan& plan) {
   Shape shape;
   shape.kind = kind;
   shape.id = ids.read(table, false);
   shape.label = table.text("label", "");
-  shape.material = read_material(table);
+  shape.material = read_material(table, plan.material);
   shape.structural = table.boolean("structural", kind == ShapeKind::Wall);
   return shape;
 }
 
 void read_walls(config::Table& root, ItemIds& ids, GroundPlan& plan) {
   for (config::Table& table : root.tables("wall")) {
-    Shape wall = read_shape(table, ids, ShapeKind::Wall);
+    Shape wall = read_shape(table, ids, ShapeKind::Wall, plan);
     wall.closed = table.boolean("closed", false);
     wall.points = read_points(table, "points", wall.closed ? 3 : 2);
     check_spacing(table, "points", wall.points, wall.closed);
@@ -56,7 +56,7 @@ void read_walls(config::Table& root, ItemIds& ids, GroundPlan& plan) {
 
 void read_boxes(config::Table& root, ItemIds& ids, GroundPlan& plan) {
   for (config::Table& table : root.tables("box")) {
-    Shape box = read_shape(table, ids, ShapeKind::Box);
+    Shape box = read_shape(table, ids, ShapeKind::Box, plan);
     const Vector2 centre = read_position(table);
     const double length_m = table.number("length_m", kSize), width_m = table.number("width_m", kSize);
     box.points = rectangle(centre, length_m, width_m, read_yaw(table));
@@ -66,7 +66,7 @@ void read_boxes(config::Table& root, ItemIds& ids, GroundPlan& plan) {
 
 void read_discs(config::Table& root, ItemIds& ids, GroundPlan& plan) {
   for (config::Table& table : root.tables("disc")) {
-    Shape disc = read_shape(table, ids, ShapeKind::Disc);
+    Shape disc = read_shape(table, ids, ShapeKind::Disc, plan);
     disc.disc.position = read_position(table);
     disc.disc.radius_m = table.number("radius_m", kSize);
     plan.shapes.push_back(std::move(disc));
@@ -75,7 +75,7 @@ void read_discs(config::Table& root, ItemIds& ids, GroundPlan& plan) {
 
 void read_polygons(config::Table& root, ItemIds& ids, GroundPlan& plan) {
   for (config::Table& table : root.tables("polygon")) {
-    Shape polygon = read_shape(table, ids, ShapeKind::Polygon);
+    Shape polygon = read_shape(table, ids, ShapeKind::Polygon, plan);
     polygon.points = read_points(table, "points", 3);
     if (check_spacing(table, "points", polygon.points, true)) check_outline(table, "points", polygon.points);
     if (doubled_area(polygon.points) < 0) std::reverse(polygon.points.begin(), polygon.points.end());
@@ -196,6 +196,7 @@ GroundPlan read_plan(const config::Value& value, Problems& problems, config::Out
   check_format(root);
   plan.place = {value.place().file};
   plan.name = root.text("name", "");
+  plan.material = read_material(root);
   ItemIds ids;
   plan.area = read_box(root, "area");
   read_map(root, plan, problems);

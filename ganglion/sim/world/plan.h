@@ -70,6 +70,7 @@ struct Spawn {
 /// What a world file says, checked item by item, before it is made ready for queries.
 struct GroundPlan {
   std::string name;
+  Material material = Material::Rough;  ///< Of the map, and of every shape that names none.
   std::vector<Shape> shapes;
   Floor floor;
   std::vector<Beacon> beacons;

@@ -71,6 +71,17 @@ TEST(WorldFile, IsReadItemByItem) {
   EXPECT_EQ(ground->spawn("nowhere"), nullptr);
 }
 
+TEST(WorldFile, GivesItsMaterialToAllThatStandsAndNamesNone) {
+  const auto ground = ground_of("material = \"smooth\"\n" + std::string(kWhole));
+  ASSERT_TRUE(ground);
+  const GroundPlan& plan = ground->plan();
+  EXPECT_EQ(plan.shapes[1].material, Material::Soft);    // says so itself
+  EXPECT_EQ(plan.shapes[2].material, Material::Smooth);  // the disc
+  EXPECT_EQ(plan.shapes[3].material, Material::Smooth);  // the polygon
+  EXPECT_EQ(plan.movers[0].material, Material::Rough);   // people and crates are not built
+  EXPECT_EQ(ground->cast({5, 2}, {0, 1}, 3)->material, Material::Smooth);
+}
+
 std::string problems_of(const std::string& text) {
   Problems problems;
   const auto ground = Ground::parse("format = 1\n" + text, "w.toml", problems);

@@ -45,13 +45,13 @@ class Connections {
 struct ServerCore {
   ServerCore(Assets page, std::string session) : assets(std::move(page)), hub(std::move(session)) {}
 
-  asio::io_context io{1};
-  asio::thread_pool worker{1};
   GuardConfig guard;
   Assets assets;
   Hub hub;
   Connections connections;
   std::unique_ptr<Api> api;
+  asio::io_context io{1};  // what still waits in these two holds connections, which use all of the above
+  asio::thread_pool worker{1};
 };
 
 /// Takes a connection over, and lives as long as it does.

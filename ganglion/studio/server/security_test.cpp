@@ -46,7 +46,7 @@ TEST_F(Security, WantsTheKeyForEveryPath) {
 TEST_F(Security, AnswersToItsOwnNamesOnly) {
   Client client = client_of();
   const std::string port = std::to_string(client.port);
-  for (const std::string host :
+  for (const std::string& host :
        {std::string("evil.example:") + port, std::string("127.0.0.1"), std::string("127.0.0.1:1"),
         std::string("localhost.evil.example:") + port, std::string("127.0.0.1:") + port + ".x"}) {
     client.headers["Host"] = host;
@@ -57,14 +57,14 @@ TEST_F(Security, AnswersToItsOwnNamesOnly) {
   EXPECT_EQ(client.get("/").status, 200u);
   const std::string both = "GET / HTTP/1.1\r\nHost: 127.0.0.1:" + port +
                            "\r\nHost: evil.example\r\nAuthorization: Bearer " + client.token + "\r\n\r\n";
-  EXPECT_EQ(exchange(client.port, both).status, 421u);
-  EXPECT_EQ(exchange(client.port, "GET / HTTP/1.0\r\nAuthorization: Bearer " + client.token + "\r\n\r\n").status, 421u);
+  EXPECT_EQ(talk(client.port, both).status, 421u);
+  EXPECT_EQ(talk(client.port, "GET / HTTP/1.0\r\nAuthorization: Bearer " + client.token + "\r\n\r\n").status, 421u);
 }
 
 TEST_F(Security, TakesCommandsFromItsOwnPageOnly) {
   Client client = client_of();
   const std::string port = std::to_string(client.port);
-  for (const std::string origin :
+  for (const std::string& origin :
        {std::string(), std::string("null"), std::string("http://evil.example"),
         std::string("http://127.0.0.1:") + std::to_string(client.port + 1), std::string("https://127.0.0.1:") + port,
         std::string("http://localhost:") + port, std::string("http://127.0.0.1:") + port + "/"}) {
@@ -109,7 +109,7 @@ TEST_F(Security, ReadsAndWritesBelowItsFolderOnly) {
   ASSERT_TRUE(write_file(outside() / "secret.toml", "secret = 1\n"));
   std::filesystem::create_symlink(outside(), folder() / "link");
   std::filesystem::create_symlink(outside() / "secret.toml", folder() / "linked.toml");
-  for (const std::string path :
+  for (const std::string& path :
        {std::string("../outside/secret.toml"), std::string("link/secret.toml"), std::string("linked.toml"),
         std::string("./controller.toml"), (outside() / "secret.toml").string(),
         std::string("a/../../outside/secret.toml"), std::string("..\\outside\\secret.toml"),
@@ -148,12 +148,12 @@ TEST_F(Security, RefusesBodiesAndHeadersThatAreTooLarge) {
   const std::string host = "127.0.0.1:" + std::to_string(client.port);
   const std::string head = "POST /api/document/open HTTP/1.1\r\nHost: " + host + "\r\nOrigin: http://" + host +
                            "\r\nAuthorization: Bearer " + client.token + "\r\n";
-  EXPECT_EQ(exchange(client.port, head + "Content-Length: 99999999999\r\n\r\n").status, 413u);
+  EXPECT_EQ(talk(client.port, head + "Content-Length: 99999999999\r\n\r\n").status, 413u);
   EXPECT_EQ(client.send("POST", "/api/document/open", std::string((8 << 20) + 1, ' ')).status, 413u);
   std::string chunked = head + "Transfer-Encoding: chunked\r\n\r\n";
   for (int i = 0; i < 9; ++i) chunked += "100000\r\n" + std::string(1 << 20, ' ') + "\r\n";
-  EXPECT_EQ(exchange(client.port, chunked + "0\r\n\r\n").status, 413u);
-  EXPECT_EQ(exchange(client.port, head + "X: " + std::string(20'000, 'x') + "\r\n\r\n").status, 431u);
+  EXPECT_EQ(talk(client.port, chunked + "0\r\n\r\n").status, 413u);
+  EXPECT_EQ(talk(client.port, head + "X: " + std::string(20'000, 'x') + "\r\n\r\n").status, 431u);
 }
 
 TEST_F(Security, DropsAViewerThatSendsTooLargeAFrame) {
@@ -224,7 +224,7 @@ TEST_F(Security, StartsNoProgramThatIsNotOnTheUsersList) {
   EXPECT_EQ(client.get("/api/programs").json()["programs"][0]["name"], "mine");
   EXPECT_EQ(client.get("/api/programs").body.find("/bin/true"), std::string::npos);
   const std::filesystem::path mark = outside() / "ran";
-  for (const std::string program : {std::string("/bin/touch"), "touch " + mark.string(), std::string("")}) {
+  for (const std::string& program : {std::string("/bin/touch"), "touch " + mark.string(), std::string("")}) {
     const Answer answer = client.post("/api/run/start", {{"experiment", "experiment.toml"}, {"program", program}});
     EXPECT_EQ(answer.status, 403u) << program;
     EXPECT_EQ(answer.json()["error"]["code"], "ProgramNotListed");
@@ -259,7 +259,7 @@ TEST_F(Security, ListensForOthersOnlyWhereANameIsGiven) {
 
 TEST_F(Security, SurvivesWhatIsNoHttp) {
   const Client client = client_of();
-  for (const std::string bytes :
+  for (const std::string& bytes :
        {std::string("\0\0\0\0\r\n\r\n", 8), std::string("GET\r\n\r\n"), std::string(70'000, 'A'),
         std::string("\x16\x03\x01\x02\x00"), std::string("GET / HTTP/9.9\r\n\r\n")}) {
     RawConnection(client.port).write(bytes);

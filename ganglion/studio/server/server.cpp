@@ -150,6 +150,7 @@ Server::~Server() {
   core_->thread.join();
   core_->shared.worker.stop();
   core_->shared.worker.join();
+  core_->shared.api.reset();  // ends the run, which may still call the worker
 }
 
 std::uint16_t Server::port() const noexcept { return core_->port; }

@@ -29,6 +29,7 @@ class Stepper final : public Drive {
   void reset() noexcept override { leg_ = Leg::None; }
   void command(std::span<const double> values, const Pose2& pose, double step_s, bool fresh) noexcept override;
   Movement move(const Pose2& pose, double step_s) noexcept override;
+  bool yields() const noexcept override { return false; }
   void feel(bool touched) noexcept override;
 
  private:

@@ -73,7 +73,7 @@ std::string Answer::header(const std::string& name) const {
   return found != headers.end() ? found->second : std::string();
 }
 
-Answer exchange(std::uint16_t port, const std::string& bytes) {
+Answer talk(std::uint16_t port, const std::string& bytes) {
   const int fd = connected(port);
   if (fd < 0) return {};
   for (std::size_t at = 0; at < bytes.size();) {
@@ -102,7 +102,7 @@ Answer Client::send(const std::string& method, const std::string& target, const 
   for (const auto& [name, value] : all) {
     if (!value.empty()) bytes += name + ": " + value + "\r\n";
   }
-  return exchange(port, bytes + "\r\n" + body);
+  return talk(port, bytes + "\r\n" + body);
 }
 
 RawConnection::RawConnection(std::uint16_t port) : socket_(connected(port)) {}

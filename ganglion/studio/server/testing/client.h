@@ -20,7 +20,7 @@ struct Answer {
 };
 
 /// Sends exactly these bytes to a port of this machine and reads until the other side closes or the answer is whole.
-Answer exchange(std::uint16_t port, const std::string& bytes);
+Answer talk(std::uint16_t port, const std::string& bytes);
 
 /// A client that a server lets in; each header can be left out or changed.
 struct Client {
@@ -30,7 +30,7 @@ struct Client {
 
   Answer get(const std::string& target) const { return send("GET", target, ""); }
   Answer post(const std::string& target, const nlohmann::ordered_json& body) const {
-    return send("POST", target, body.dump());
+    return send("POST", target, body.is_null() ? "{}" : body.dump());
   }
   Answer send(const std::string& method, const std::string& target, const std::string& body) const;
 };

@@ -1,0 +1,247 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <thread>
+
+#include "ganglion/base/base64.h"
+#include "ganglion/studio/live/hub.h"
+
+namespace ganglion::studio {
+namespace {
+
+template <class T>
+T at(const std::string& bytes, std::size_t offset) {
+  T value{};
+  std::memcpy(&value, bytes.data() + offset, sizeof value);
+  return value;
+}
+
+/// A map of three columns and two rows with one layer.
+std::string grid_json(const std::vector<std::uint8_t>& cells) {
+  return R"({"pose":{"position":{"x":-1,"y":-2}},"column_count":3,"cell_size":{"x":0.5,"y":0.5},"fields":[{"name":"risk"}],"data":")" +
+         base64(cells) + "\"}";
+}
+
+/// What a page holds after applying a sample.
+void apply_sample(const std::string& sample, std::vector<std::uint8_t>& cells) {
+  if (at<std::uint32_t>(sample, 16) == 0) cells.assign(6, 0);
+  const auto count = at<std::uint32_t>(sample, 56);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    cells.at(at<std::uint32_t>(sample, 60 + 4 * i)) = at<std::uint8_t>(sample, 60 + 4 * count + i);
+  }
+}
+
+TEST(GridState, TellsTheWholeAndThenWhatChanged) {
+  GridState grid;
+  ASSERT_TRUE(grid.take(grid_json({0, 1, 0, 0, 2, 0}), 1));
+  const std::string whole = grid.sample({7, 1, 0.5}, 0);
+  EXPECT_EQ(at<std::uint8_t>(whole, 0), 2);
+  EXPECT_EQ(at<std::uint16_t>(whole, 2), 7);
+  EXPECT_EQ(at<std::uint32_t>(whole, 4), 1u);
+  EXPECT_EQ(at<double>(whole, 8), 0.5);
+  EXPECT_EQ(at<std::uint32_t>(whole, 20), 3u);
+  EXPECT_EQ(at<std::uint32_t>(whole, 24), 2u);
+  EXPECT_EQ(at<double>(whole, 28), -1);
+  EXPECT_EQ(at<double>(whole, 36), -2);
+  EXPECT_EQ(at<double>(whole, 44), 0.5);
+  EXPECT_EQ(at<std::uint32_t>(whole, 52), 1u);
+  EXPECT_EQ(at<std::uint32_t>(whole, 56), 2u) << "cells that are 0 are not told";
+  ASSERT_TRUE(grid.take(grid_json({0, 1, 9, 0, 0, 0}), 2));
+  const std::string delta = grid.sample({7, 2, 1}, 1);
+  EXPECT_EQ(at<std::uint32_t>(delta, 16), 1u);
+  EXPECT_EQ(at<std::uint32_t>(delta, 56), 2u) << "one cell that came, one that went back to 0";
+  std::vector<std::uint8_t> page;
+  apply_sample(whole, page);
+  apply_sample(delta, page);
+  EXPECT_EQ(page, (std::vector<std::uint8_t>{0, 1, 9, 0, 0, 0}));
+}
+
+TEST(GridState, GivesTheSameToOneWhoMissedStatesBetween) {
+  GridState grid;
+  std::vector<std::uint8_t> cells(6, 0), page;
+  grid.take(grid_json(cells), 1);
+  apply_sample(grid.sample({1, 1, 0}, 0), page);
+  for (std::uint32_t seq = 2; seq < 6; ++seq) {
+    cells[seq] = static_cast<std::uint8_t>(seq);
+    cells[0] = static_cast<std::uint8_t>(seq * 10);
+    grid.take(grid_json(cells), seq);
+  }
+  apply_sample(grid.sample({1, 5, 0}, 1), page);
+  EXPECT_EQ(page, cells);
+}
+
+TEST(GridState, LeavesWhatIsNoMapAlone) {
+  GridState grid;
+  grid.take(grid_json({1, 2, 3, 4, 5, 6}), 1);
+  for (const char* bad : {"", "{}", "[]", R"({"data":"!"})", R"({"data":"AA==","column_count":0,"fields":[{}]})",
+                          R"({"data":"AAAA","column_count":2,"fields":[{"name":"a"}]})"}) {
+    EXPECT_FALSE(grid.take(bad, 2)) << bad;
+  }
+  EXPECT_EQ(grid.seq(), 1u);
+}
+
+TEST(LiveFeed, NeverWaitsForSomebodyWhoDoesNotLook) {
+  LiveFeed feed;
+  const std::vector<SignalColumn> columns = {{"a", "m"}};
+  feed.add_table("/robot0/signals", columns);
+  feed.arm();
+  for (std::uint32_t tick = 0; tick < 100'000; ++tick) {
+    const double value = tick;
+    feed.write_row(0, tick, tick, std::span(&value, 1));
+  }
+  std::uint32_t rows = 0;
+  for (; feed.row() != nullptr; feed.pop_row()) EXPECT_EQ(feed.row()->tick, rows++) << "what it kept is in order";
+  EXPECT_EQ(rows, 1024u);
+  const double value = 1;
+  feed.write_row(0, 0, 0, std::span(&value, 1));
+  EXPECT_EQ(feed.row()->seq, 100'001u) << "the gap tells that some were left out";
+}
+
+TEST(LiveFeed, LosesNoEventAndKeepsTheNewestMap) {
+  LiveFeed feed;
+  feed.arm();
+  for (int i = 0; i < 3000; ++i) {
+    feed.write_json("/log", "foxglove.Log", i, "{}");
+    feed.write_json("/robot0/map/m", "foxglove.Grid", i, "{}");
+  }
+  int logs = 0;
+  double newest_s = 0;
+  do {
+    for (; feed.message() != nullptr; feed.pop_message()) {
+      if (feed.message()->topic == "/log") {
+        EXPECT_EQ(feed.message()->time_s, logs++);
+      } else {
+        newest_s = feed.message()->time_s;
+      }
+    }
+  } while (!feed.flush() || feed.message() != nullptr);
+  EXPECT_EQ(logs, 3000);
+  EXPECT_EQ(newest_s, 2999);
+}
+
+TEST(LiveFeed, HandsRowsWholeFromOneThreadToAnother) {
+  LiveFeed feed;
+  const std::vector<SignalColumn> columns(8);
+  feed.add_table("/robot0/signals", columns);
+  feed.arm();
+  constexpr std::uint32_t kTicks = 50'000;
+  std::thread run([&] {
+    for (std::uint32_t tick = 0; tick < kTicks; ++tick) {
+      const std::vector<double> values(8, tick);
+      feed.write_row(0, tick, tick, values);
+    }
+    feed.write_json("/log", "foxglove.Log", 0, "{}");
+  });
+  std::uint32_t torn = 0, last = 0;
+  while (feed.message() == nullptr || feed.row() != nullptr) {
+    const LiveFeed::Row* row = feed.row();
+    if (row == nullptr) continue;
+    for (const double value : row->values) torn += value != row->tick;
+    torn += row->tick < last;
+    last = row->tick;
+    feed.pop_row();
+  }
+  run.join();
+  EXPECT_EQ(torn, 0u);
+}
+
+class HubTest : public ::testing::Test {
+ protected:
+  HubTest() {
+    const std::vector<SignalColumn> columns = {{"a", ""}};
+    feed_->add_table("/robot0/signals", columns);
+    feed_->write_json("/scene", "ganglion.Scene", 0, R"({"walls":[]})");
+    feed_->arm();
+    hub_.watch(feed_);
+  }
+  void row(std::uint32_t tick) {
+    const double value = tick;
+    feed_->write_row(0, tick, tick, std::span(&value, 1));
+  }
+  Hub hub_{"session"};
+  std::shared_ptr<LiveFeed> feed_ = std::make_shared<LiveFeed>();
+};
+
+TEST_F(HubTest, SparesASlowViewerOldRowsButNoEvent) {
+  Viewer slow(hub_, [] {});
+  ASSERT_FALSE(slow.next()->binary);  // hello
+  for (std::uint32_t tick = 0; tick < 2000; ++tick) {
+    row(tick);
+    if (tick % 100 == 0) feed_->write_json("/log", "foxglove.Log", tick, "{}");
+    hub_.drain();
+  }
+  int events = 0, rows = 0;
+  std::uint32_t last = 0;
+  while (const auto out = slow.next()) {
+    if (out->binary) {
+      ++rows;
+      last = at<std::uint32_t>(*out->bytes, 16);
+    } else {
+      ++events;
+    }
+  }
+  EXPECT_EQ(events, 1 + 20) << "the streams, and every line of the log";
+  EXPECT_EQ(rows, 256);
+  EXPECT_EQ(last, 1999u) << "of rows the newest";
+}
+
+TEST_F(HubTest, SendsAMapToALateViewerWholeAndToOthersWhatChanged) {
+  Viewer early(hub_, [] {});
+  early.next();
+  feed_->write_json("/robot0/map/m", "foxglove.Grid", 1, grid_json({1, 0, 0, 0, 0, 0}));
+  hub_.drain();
+  std::vector<std::uint8_t> page;
+  const auto take = [&](Viewer& viewer) {
+    std::uint32_t cells = 0;
+    while (const auto out = viewer.next()) {
+      if (!out->binary) continue;
+      apply_sample(*out->bytes, page);
+      cells = at<std::uint32_t>(*out->bytes, 56);
+    }
+    return cells;
+  };
+  EXPECT_EQ(take(early), 1u);
+  feed_->write_json("/robot0/map/m", "foxglove.Grid", 2, grid_json({1, 2, 3, 0, 0, 0}));
+  hub_.drain();
+  EXPECT_EQ(take(early), 2u);
+  EXPECT_EQ(page, (std::vector<std::uint8_t>{1, 2, 3, 0, 0, 0}));
+  Viewer late(hub_, [] {});
+  EXPECT_EQ(take(late), 3u);
+}
+
+TEST_F(HubTest, ResumesWhereAViewerWas) {
+  hub_.event("file", {{"path", "a"}});
+  hub_.event("file", {{"path", "b"}});
+  Viewer back(hub_, [] {});
+  back.resume("session", 1);
+  EXPECT_TRUE(Json::parse(*back.next()->bytes)["resumed"]);
+  EXPECT_EQ(Json::parse(*back.next()->bytes)["path"], "b");
+  EXPECT_FALSE(back.next());
+  Viewer other(hub_, [] {});
+  other.resume("another", 1);
+  EXPECT_FALSE(Json::parse(*other.next()->bytes)["resumed"]);
+}
+
+TEST_F(HubTest, GivesUpAViewerWhoIsFartherBehindThanItRemembers) {
+  Viewer slow(hub_, [] {});
+  slow.next();
+  for (int i = 0; i < 20'001; ++i) hub_.event("log", Json::object());
+  EXPECT_FALSE(slow.next());
+  EXPECT_TRUE(slow.lost());
+}
+
+TEST_F(HubTest, TellsThinlyWhereARunIsFasterThanItIsLookedAt) {
+  Viewer viewer(hub_, [] {});
+  viewer.next();
+  for (std::uint32_t tick = 0; tick < 500; ++tick) row(tick);
+  hub_.drain();
+  std::vector<std::uint32_t> ticks;
+  while (const auto out = viewer.next()) {
+    if (out->binary) ticks.push_back(at<std::uint32_t>(*out->bytes, 16));
+  }
+  EXPECT_EQ(ticks, (std::vector<std::uint32_t>{496, 497, 498, 499}));
+}
+
+}  // namespace
+}  // namespace ganglion::studio
