@@ -35,7 +35,7 @@ beforeEach(async () => {
 test('the palette finds kinds by word, and Enter adds one', async () => {
   await page.locator('.left .tabs').getByText('Add').click();
   await page.getByLabel('Search components').fill('speed');
-  await page.getByRole('button', { name: 'Add ClosingSpeed' }).focus();
+  await page.locator('[data-offer=ClosingSpeed]').focus();
   await page.keyboard.press('Enter');
   await box(page, 'closing_speed').waitFor();
 });

@@ -44,7 +44,7 @@ export const kMouse: Hand = {
     await page.locator('.canvas-empty').waitFor();
   },
   async add(page, label, id, index) {
-    const offer = page.getByRole('button', { name: `Add ${label}`, exact: true });
+    const offer = page.locator(`[data-offer="${label}"]`);
     const canvas = await page.locator('.canvas').boundingBox();
     if (!canvas) throw new Error('no canvas');
     await offer.scrollIntoViewIfNeeded();

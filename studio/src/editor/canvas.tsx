@@ -164,7 +164,14 @@ function Flow() {
     add(JSON.parse(dragged) as Offered, [Math.round(x / 10) * 10, Math.round(y / 10) * 10]).catch(complain);
   };
   const aria = useMemo(
-    () => ({ 'minimap.ariaLabel': text.commands.minimap, 'controls.ariaLabel': text.menus.view }),
+    () => ({
+      'minimap.ariaLabel': text.commands.minimap,
+      'node.a11yDescription.default': text.shell.arrows_help,
+      'node.a11yDescription.keyboardDisabled': text.shell.arrows_help,
+      'edge.a11yDescription.default': text.shell.arrows_help,
+      'handle.ariaLabel': text.commands.connect,
+      'controls.ariaLabel': text.menus.view,
+    }),
     [text],
   );
   return (

@@ -22,7 +22,6 @@ export function search(all: Offered[], words: string, className: (name: string) 
 }
 
 function Entry({ one }: { one: Offered }) {
-  const text = useText();
   return (
     <li>
       <button
@@ -30,7 +29,7 @@ function Entry({ one }: { one: Offered }) {
         className={`offer class-${one.class}`}
         draggable
         title={one.help}
-        aria-label={text.palette.add(one.label)}
+        data-offer={one.label}
         onDragStart={(event) => event.dataTransfer.setData(kDragType, JSON.stringify(one))}
         onClick={() => add(one, middle()).catch(complain)}
       >

@@ -119,7 +119,6 @@ export const en = {
     nothing: 'Nothing fits.',
     no_robot: 'The robot is not known, so there are no channels to choose from.',
     new_sensation: 'a channel of the robot',
-    add: (name: string) => `Add ${name}`,
     fits: 'Only what the wire fits',
   },
   inspector: {

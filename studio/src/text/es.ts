@@ -121,7 +121,6 @@ export const es: Dictionary = {
     nothing: 'Nada encaja.',
     no_robot: 'No se conoce el robot: no hay canales entre los que elegir.',
     new_sensation: 'un canal del robot',
-    add: (name: string) => `Añadir ${name}`,
     fits: 'Solo lo que encaja con el cable',
   },
   inspector: {

@@ -75,21 +75,21 @@ function Tabs({ panes, chosen }: { panes: Pane[]; chosen: Pane }) {
 function Left() {
   const left = useWorkbench((state) => state.left);
   return (
-    <aside className="left">
+    <div className="left">
       <Tabs panes={['files', 'add', 'history']} chosen={left} />
       <div className="scroll">
         {left === 'files' && <FilesPane />}
         {left === 'add' && <Palette />}
         {left === 'history' && <HistoryPane />}
       </div>
-    </aside>
+    </div>
   );
 }
 
 function Centre() {
   const { centre, split } = useWorkbench();
   return (
-    <main className={`centre ${split ? 'split' : ''}`} id="centre">
+    <div className={`centre ${split ? 'split' : ''}`} id="centre">
       <Tabs panes={['drawing', 'table', 'world']} chosen={centre} />
       <Banners />
       <div className="centre-body">
@@ -97,7 +97,7 @@ function Centre() {
         {(centre === 'world' || split) && <World />}
       </div>
       <Problems />
-    </main>
+    </div>
   );
 }
 
@@ -108,18 +108,18 @@ export function Shell() {
   const said = useWorkbench((state) => state.said);
   const tour = useWorkbench((state) => state.tour);
   return (
-    <div className={`shell pane-${pane}`}>
+    <main className={`shell pane-${pane}`}>
       <a className="skip" href="#centre">
         {text.shell.skip}
       </a>
       <Head />
       <Left />
       <Centre />
-      <aside className="right" aria-label={text.panes.properties}>
+      <section className="right" aria-label={text.panes.properties}>
         <div className="scroll">
           <Inspector />
         </div>
-      </aside>
+      </section>
       <div className="phone-tabs">
         <Tabs panes={kPhonePanes} chosen={pane} />
       </div>
@@ -133,6 +133,6 @@ export function Shell() {
       <div className="for-readers" role="status" aria-live="polite">
         {said}
       </div>
-    </div>
+    </main>
   );
 }
