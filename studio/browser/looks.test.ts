@@ -101,7 +101,8 @@ test('at 900 pixels nothing overlaps either', async () => {
 test('Spanish shows no English words', async () => {
   const page = await studio.page(kLooks[2].options);
   await open(page, 'nimrod/controller.toml');
-  for (const pane of ['drawing', 'table', 'world', 'add', 'history']) {
+  // Files have names of their own, in whatever language their authors speak.
+  for (const pane of ['add', 'drawing', 'table', 'world', 'history']) {
     await show(page, pane);
     await page.locator('body').click({ position: { x: 640, y: 60 } });
     const words = await page.evaluate(() => {
@@ -110,13 +111,8 @@ test('Spanish shows no English words', async () => {
       );
       return `${document.body.innerText} ${labels.join(' ')}`;
     });
-    const english =
-      words.match(/\b(the|and|with|from|of|to|is|not|no problems|save|undo|drawing|table|world|none|required)\b/gi) ??
-      [];
-    expect(
-      english.filter((word) => word !== 'no' && word !== 'No'),
-      pane,
-    ).toEqual([]);
+    const english = /.{0,40}\b(the|and|with|from|of|to|is|not|save|undo|drawing|table|world|none|required)\b.{0,40}/gi;
+    expect(words.match(english) ?? [], pane).toEqual([]);
   }
   await page.context().close();
 });
