@@ -1,0 +1,85 @@
+/** One sample of a stream (docs/studio_api.md, Samples); payloads are copied out of the message. */
+export type Sample = { stream: number; seq: number; t: number } & (
+  | { kind: 'row'; tick: number; values: Float64Array }
+  | { kind: 'grid'; base: number; grid: GridChange }
+  | { kind: 'path'; points: Float64Array }
+  | { kind: 'movers'; movers: { id: string; x_m: number; y_m: number; yaw_rad: number }[] }
+);
+
+/** Cells that are new or changed: all layers of each, one byte a layer, 255 = 1. */
+export interface GridChange {
+  columns: number;
+  rows: number;
+  origin: [number, number];
+  cell_m: number;
+  layers: number;
+  cells: Uint32Array;
+  values: Uint8Array;
+}
+
+const kHeader = 16;
+const kGridHeader = 44;
+
+function floats(view: DataView, at: number, count: number): Float64Array {
+  const values = new Float64Array(count);
+  for (let i = 0; i < count; i += 1) values[i] = view.getFloat64(at + 8 * i, true);
+  return values;
+}
+
+function gridOf(view: DataView, at: number): { base: number; grid: GridChange } {
+  const layers = view.getUint32(at + 36, true);
+  const count = view.getUint32(at + 40, true);
+  const cells = new Uint32Array(count);
+  for (let i = 0; i < count; i += 1) cells[i] = view.getUint32(at + kGridHeader + 4 * i, true);
+  const start = view.byteOffset + at + kGridHeader + 4 * count;
+  const grid = {
+    columns: view.getUint32(at + 4, true),
+    rows: view.getUint32(at + 8, true),
+    origin: [view.getFloat64(at + 12, true), view.getFloat64(at + 20, true)] as [number, number],
+    cell_m: view.getFloat64(at + 28, true),
+    layers,
+    cells,
+    values: new Uint8Array(view.buffer.slice(start, start + count * layers)),
+  };
+  return { base: view.getUint32(at, true), grid };
+}
+
+/** null: not one that this page understands, or cut short. */
+export function decodeSample(view: DataView): Sample | null {
+  if (view.byteLength < kHeader || view.getUint8(1) !== 1) return null;
+  const head = { stream: view.getUint16(2, true), seq: view.getUint32(4, true), t: view.getFloat64(8, true) };
+  try {
+    switch (view.getUint8(0)) {
+      case 1: {
+        const count = view.getUint32(kHeader + 4, true);
+        return { ...head, kind: 'row', tick: view.getUint32(kHeader, true), values: floats(view, kHeader + 8, count) };
+      }
+      case 2:
+        return { ...head, kind: 'grid', ...gridOf(view, kHeader) };
+      case 3:
+        return { ...head, kind: 'path', points: floats(view, kHeader + 4, 2 * view.getUint32(kHeader, true)) };
+      case 4: {
+        const bytes = new Uint8Array(view.buffer, view.byteOffset + kHeader, view.byteLength - kHeader);
+        return { ...head, kind: 'movers', movers: JSON.parse(new TextDecoder().decode(bytes)).movers };
+      }
+      default:
+        return null;
+    }
+  } catch {
+    return null;
+  }
+}
+
+/** The samples of a recording, each behind its length in bytes. */
+export function decodeSamples(buffer: ArrayBuffer): Sample[] {
+  const view = new DataView(buffer);
+  const samples: Sample[] = [];
+  for (let at = 0; at + 4 <= view.byteLength; ) {
+    const bytes = view.getUint32(at, true);
+    if (at + 4 + bytes > view.byteLength) break;
+    const sample = decodeSample(new DataView(buffer, at + 4, bytes));
+    if (sample) samples.push(sample);
+    at += 4 + bytes;
+  }
+  return samples;
+}

@@ -1,0 +1,45 @@
+import { useText } from '../text/text';
+import { complain, useWorkbench } from '../ui/workbench';
+import { discardDraft, overwrite, putOffConflict, recoverDraft, takeFromDisk, useDocument } from './document';
+
+/** What must be decided before going on calmly: a draft to recover, a file that changed on the disk. */
+export function Banners() {
+  const text = useText();
+  const { draft, conflict, hash } = useDocument();
+  const connected = useWorkbench((state) => state.connected);
+  const act = (work: () => Promise<unknown>) => () => work().catch(complain);
+  return (
+    <div className="banners" role="status">
+      {!connected && <p className="banner bad">{text.shell.offline}</p>}
+      {draft && (
+        <div className="banner">
+          <p>
+            {text.save.draft_found} {draft.basedOn !== hash && text.save.draft_older}
+          </p>
+          <button type="button" className="primary" onClick={act(recoverDraft)}>
+            {text.save.recover}
+          </button>
+          <button type="button" onClick={act(discardDraft)}>
+            {text.save.discard}
+          </button>
+        </div>
+      )}
+      {conflict && (
+        <div className="banner bad">
+          <p>{conflict.gone ? text.save.gone : text.save.conflict}</p>
+          <button type="button" onClick={act(overwrite)}>
+            {text.save.overwrite}
+          </button>
+          {!conflict.gone && (
+            <button type="button" onClick={act(takeFromDisk)}>
+              {text.save.take}
+            </button>
+          )}
+          <button type="button" onClick={putOffConflict}>
+            {text.save.later}
+          </button>
+        </div>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,293 @@
+import { create } from 'zustand';
+import { ApiError, api } from '../api/client';
+import type { Model, Operation } from '../api/types';
+import { share } from './share';
+
+/** The drawing after one step: undo is an older one of these. */
+export interface Step {
+  text: string;
+  model: Model;
+  /** What was done: "opened", "reload" or the first operation's name. */
+  step: string;
+  about: string;
+  merge: string;
+  at_ms: number;
+}
+
+export interface Conflict {
+  hash: string;
+  text: string;
+  gone: boolean;
+}
+
+interface DocumentState {
+  path: string;
+  /** Oldest first; never empty while a document is open. */
+  steps: Step[];
+  now: number;
+  /** The text on the disk and its hash; "" = there is none yet. */
+  savedText: string | null;
+  hash: string;
+  draft: { text: string; basedOn: string } | null;
+  conflict: Conflict | null;
+  selection: string[];
+  busy: number;
+}
+
+const kMostSteps = 1000;
+const kMergeWithin_ms = 1000;
+
+const kClosed: DocumentState = {
+  path: '',
+  steps: [],
+  now: -1,
+  savedText: null,
+  hash: '',
+  draft: null,
+  conflict: null,
+  selection: [],
+  busy: 0,
+};
+
+export const useDocument = create<DocumentState>(() => kClosed);
+
+const { getState: get, setState: set } = useDocument;
+
+/** The step that is shown; undefined where nothing is open. */
+export function current(state: DocumentState = get()): Step | undefined {
+  return state.steps[state.now];
+}
+
+export function useModel(): Model | undefined {
+  return useDocument((state) => state.steps[state.now]?.model);
+}
+
+export function isDirty(state: DocumentState = get()): boolean {
+  const step = current(state);
+  return step !== undefined && step.text !== state.savedText;
+}
+
+export function place(): { path: string; text: string } {
+  return { path: get().path, text: current()?.text ?? '' };
+}
+
+// Edits go one after the other: each starts from the text the one before came to.
+let queue: Promise<unknown> = Promise.resolve();
+
+function inTurn<T>(work: () => Promise<T>): Promise<T> {
+  const turn = queue.then(work);
+  queue = turn.catch(() => undefined);
+  return turn;
+}
+
+/** Resolves once every edit asked for so far is done. */
+export function settled(): Promise<void> {
+  return queue.then(() => undefined);
+}
+
+export function select(ids: string[]): void {
+  const before = get().selection;
+  if (before.length === ids.length && before.every((id, i) => id === ids[i])) return;
+  set({ selection: ids });
+}
+
+function push(step: Step): void {
+  set((state) => {
+    const before = state.steps[state.now];
+    const joins =
+      step.merge !== '' && before?.merge === step.merge && step.at_ms - before.at_ms < kMergeWithin_ms && state.now > 0;
+    const kept = state.steps.slice(0, joins ? state.now : state.now + 1);
+    const steps = [...kept, { ...step, model: share(before?.model, step.model) }].slice(-kMostSteps);
+    const alive = new Set(step.model.components.map((component) => component.id));
+    return { steps, now: steps.length - 1, selection: state.selection.filter((id) => alive.has(id)) };
+  });
+}
+
+function aboutOf(operation: Operation): string {
+  switch (operation.op) {
+    case 'add':
+      return operation.id ?? operation.kind;
+    case 'remove':
+      return operation.ids.join(', ');
+    case 'rename':
+      return `${operation.id} → ${operation.to}`;
+    case 'set':
+      return `${operation.id}.${operation.key}`.replace(/^\./, '');
+    case 'unset':
+      return `${operation.id}.${operation.key}`;
+    case 'connect':
+      return `${operation.from} → ${operation.id}.${operation.port}`;
+    case 'disconnect':
+    case 'reorder':
+      return `${operation.id}.${operation.port}`;
+    case 'move':
+      return Object.keys(operation.positions).slice(0, 4).join(', ');
+    case 'paste':
+      return '';
+  }
+}
+
+export interface EditOptions {
+  /** Steps of the same mark that follow each other within a second become one. */
+  merge?: string;
+  /** Selects what was made. */
+  selectMade?: boolean;
+}
+
+/** One gesture, one step. Resolves to the ids that were made; rejects with ApiError where the server refuses. */
+export function edit(operations: Operation[], options: EditOptions = {}): Promise<string[]> {
+  if (operations.length === 0) return Promise.resolve([]);
+  set((state) => ({ busy: state.busy + 1 }));
+  return inTurn(async () => {
+    try {
+      const answer = await api.edit(place(), operations);
+      const [first] = operations;
+      push({
+        text: answer.text,
+        model: answer.model,
+        step: first.op,
+        about: aboutOf(first) || answer.ids.join(', '),
+        merge: options.merge ?? '',
+        at_ms: Date.now(),
+      });
+      if (options.selectMade) select(answer.ids);
+      return answer.ids;
+    } finally {
+      set((state) => ({ busy: state.busy - 1 }));
+    }
+  });
+}
+
+/** Shows another step of the history; nothing is asked of the server. */
+export function goTo(index: number): Promise<void> {
+  return inTurn(async () => {
+    const step = get().steps[index];
+    if (!step) return;
+    const alive = new Set(step.model.components.map((component) => component.id));
+    set((state) => ({ now: index, selection: state.selection.filter((id) => alive.has(id)) }));
+  });
+}
+
+/** The step that undo or redo would come to is known only in turn: edits may still be under way. */
+export function undo(): Promise<void> {
+  return settled().then(() => (get().now > 0 ? goTo(get().now - 1) : undefined));
+}
+
+export function redo(): Promise<void> {
+  return settled().then(() => (get().now + 1 < get().steps.length ? goTo(get().now + 1) : undefined));
+}
+
+async function stepOf(path: string, text: string, step: string): Promise<Step> {
+  const { model } = await api.open({ path, text });
+  return { text, model, step, about: '', merge: '', at_ms: Date.now() };
+}
+
+export async function openDocument(path: string): Promise<void> {
+  const file = await api.openFile(path);
+  const first = await stepOf(path, file.text, 'opened');
+  const draft = file.draft && file.draft.text !== file.text ? file.draft : null;
+  set({
+    ...kClosed,
+    path,
+    steps: [first],
+    now: 0,
+    savedText: file.text,
+    hash: file.hash,
+    draft: draft ? { text: draft.text, basedOn: draft.based_on } : null,
+  });
+}
+
+/** A document that is on no disk yet: `text` is shown, and saving makes the file. */
+export async function openUnsaved(path: string, text: string): Promise<void> {
+  const first = await stepOf(path, text, 'opened');
+  set({ ...kClosed, path, steps: [first], now: 0 });
+}
+
+/** A whole other text as one more step, so that it can be undone. */
+export function replaceText(text: string): Promise<void> {
+  return inTurn(async () => push(await stepOf(get().path, text, 'reload')));
+}
+
+/** Asks for the drawing again in the language of now: messages come in it. */
+export function reword(): Promise<void> {
+  return inTurn(async () => {
+    const step = current();
+    if (!step) return;
+    const { model } = await api.open(place());
+    set((state) => ({
+      steps: state.steps.map((one, i) => (i === state.now ? { ...one, model: share(one.model, model) } : one)),
+    }));
+  });
+}
+
+/** true: saved. false: the file is another by now, and `conflict` says so. */
+export function save(): Promise<boolean> {
+  return inTurn(async () => {
+    const what = place();
+    try {
+      const { hash } = await api.save(what, get().hash);
+      set({ savedText: what.text, hash, draft: null, conflict: null });
+      return true;
+    } catch (error) {
+      if (!(error instanceof ApiError) || error.code !== 'Conflict') throw error;
+      set({ conflict: conflictOf(error.details) });
+      return false;
+    }
+  });
+}
+
+function conflictOf(details: Record<string, unknown>): Conflict {
+  const hash = typeof details.hash === 'string' ? details.hash : '';
+  return { hash, text: typeof details.text === 'string' ? details.text : '', gone: hash === '' };
+}
+
+export function overwrite(): Promise<boolean> {
+  const conflict = get().conflict;
+  set({ conflict: null, hash: conflict?.hash ?? '' });
+  return save();
+}
+
+export async function takeFromDisk(): Promise<void> {
+  const file = await api.openFile(get().path);
+  await replaceText(file.text);
+  await api.discard(get().path);
+  set({ savedText: file.text, hash: file.hash, conflict: null, draft: null });
+}
+
+export async function recoverDraft(): Promise<void> {
+  const draft = get().draft;
+  if (!draft) return;
+  await replaceText(draft.text);
+  set({ draft: null });
+}
+
+export async function discardDraft(): Promise<void> {
+  await api.discard(get().path);
+  set({ draft: null });
+}
+
+export type DiskChange = 'same' | 'reloaded' | 'conflict';
+
+/** What to do when the file changed on the disk: an unchanged drawing follows, a changed one asks. */
+export async function fileChanged(path: string, hash: string): Promise<DiskChange> {
+  await settled();
+  const state = get();
+  if (path !== state.path || hash === state.hash) return 'same';
+  if (hash === '') {
+    set({ conflict: { hash: '', text: '', gone: true } });
+    return 'conflict';
+  }
+  const file = await api.openFile(path);
+  if (file.hash === get().hash) return 'same';
+  if (!isDirty()) {
+    await replaceText(file.text);
+    set({ savedText: file.text, hash: file.hash });
+    return 'reloaded';
+  }
+  set({ conflict: { hash: file.hash, text: file.text, gone: false } });
+  return 'conflict';
+}
+
+export function putOffConflict(): void {
+  set({ conflict: null });
+}

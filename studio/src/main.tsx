@@ -1,0 +1,32 @@
+import './theme/colours.css';
+import './theme/base.css';
+import './theme/shell.css';
+import './theme/drawing.css';
+import './theme/world.css';
+import { createRoot } from 'react-dom/client';
+import { listenToKeys } from './commands/keys';
+import { startAutosave } from './document/autosave';
+import { reword } from './document/document';
+import { loadKinds } from './document/kinds';
+import { connect } from './run/run';
+import { text } from './text/text';
+import { applySettings, useSettings } from './theme/settings';
+import { Shell } from './ui/shell';
+import { complain, toast } from './ui/workbench';
+
+applySettings();
+listenToKeys();
+startAutosave(() => toast(text().save.autosave_failed, [], 'bad'));
+useSettings.subscribe((now, before) => {
+  if (now.language !== before.language) reword().catch(complain);
+});
+
+const root = document.getElementById('studio');
+if (root) {
+  loadKinds()
+    .catch(complain)
+    .finally(() => {
+      createRoot(root).render(<Shell />);
+      connect();
+    });
+}

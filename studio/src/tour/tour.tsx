@@ -1,0 +1,51 @@
+import { useEffect } from 'react';
+import { carryOut, commandOf } from '../commands/commands';
+import { edit, useModel } from '../document/document';
+import { fit } from '../editor/canvas_handle';
+import { useText } from '../text/text';
+import { Icon } from '../ui/icons';
+import { complain, say, useWorkbench } from '../ui/workbench';
+import { kTour } from './steps';
+
+/** The first run: rebuilds figure 6 step by step, watching the drawing to see what is done. */
+export function Tour() {
+  const text = useText();
+  const model = useModel();
+  const at = useWorkbench((state) => state.tour) ?? 0;
+  const step = kTour[at];
+  const done = model ? step.done(model) : false;
+  useEffect(() => {
+    if (done && at + 1 < kTour.length) useWorkbench.setState({ tour: at + 1 });
+  }, [done, at]);
+  useEffect(() => say(text.tour.steps[step.name]), [step, text]);
+  const close = () => useWorkbench.setState({ tour: null });
+  const show = () => {
+    if (step.name === 'file') return carryOut(commandOf('new'));
+    if (step.name === 'run') return carryOut(commandOf('run'));
+    return edit(model ? step.operations(model) : []).then(() => requestAnimationFrame(fit), complain);
+  };
+  return (
+    <section className="tour" aria-label={text.panes.tour}>
+      <div className="dialog-head">
+        <h2>{text.tour.title}</h2>
+        <button type="button" aria-label={text.tour.finish} onClick={close}>
+          <Icon name="close" />
+        </button>
+      </div>
+      {at === 0 && <p className="hint">{text.tour.intro}</p>}
+      <ol className="plain">
+        {kTour.slice(0, at).map((one) => (
+          <li key={one.name} className="good">
+            <Icon name="check" /> {text.tour.steps[one.name]}
+          </li>
+        ))}
+        <li aria-current="step">
+          <b>{text.tour.steps[step.name]}</b>
+        </li>
+      </ol>
+      <button type="button" className="primary" onClick={show}>
+        {step.name === 'run' ? text.commands.run : step.name === 'file' ? text.commands.new : text.tour.show}
+      </button>
+    </section>
+  );
+}

@@ -1,0 +1,35 @@
+import { useText } from '../text/text';
+import { player, usePlayer } from './player';
+
+const kMost = 60;
+
+/** Goals and withdrawals: a click goes to their time. */
+export function Events() {
+  const text = useText();
+  const { timeline } = usePlayer();
+  usePlayer((state) => state.end);
+  if (!timeline) return null;
+  const goals = timeline.goals.map((one) => ({
+    t: one.time_s,
+    words: text.world.goal(one.index + 1, text.world.goal_states[one.state] ?? one.state),
+  }));
+  const logs = timeline.logs
+    .filter((one) => one.level > 2)
+    .map((one) => ({ t: one.time_s, words: `${one.name}: ${one.message}` }));
+  const all = [...goals, ...logs].sort((a, b) => b.t - a.t).slice(0, kMost);
+  if (all.length === 0) return null;
+  return (
+    <section className="events" aria-label={text.world.events}>
+      <h2>{text.world.events}</h2>
+      <ul className="plain">
+        {all.map((one) => (
+          <li key={`${one.t} ${one.words}`}>
+            <button type="button" onClick={() => player.seek(one.t)}>
+              {one.words} <small>{text.world.event_at(one.t.toFixed(1))}</small>
+            </button>
+          </li>
+        ))}
+      </ul>
+    </section>
+  );
+}

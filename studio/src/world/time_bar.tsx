@@ -1,0 +1,68 @@
+import { useRun } from '../run/run';
+import { useText } from '../text/text';
+import { Icon } from '../ui/icons';
+import { player, usePlayer } from './player';
+
+const kSpeeds = [0.1, 0.5, 1, 2, 5, 10, 20];
+
+/** The time that is looked at, apart from the run's own. */
+export function TimeBar() {
+  const text = useText();
+  const { timeline, t, end, playing, following, growing, speed } = usePlayer();
+  const live = useRun((state) => state.state?.state);
+  if (!timeline) return null;
+  const first = timeline.times[0] ?? 0;
+  return (
+    <div className="time-bar">
+      <button
+        type="button"
+        aria-label={playing ? text.world.pause : text.world.play}
+        onClick={() => player.play(!playing)}
+      >
+        <Icon name={playing ? 'pause' : 'play'} />
+      </button>
+      <input
+        type="range"
+        min={first}
+        max={Math.max(end, first + 1e-3)}
+        step="any"
+        value={t}
+        aria-label={text.world.slider}
+        aria-valuetext={`${t.toFixed(1)} s`}
+        onChange={(event) => player.seek(Number(event.target.value))}
+        onKeyDown={(event) => {
+          if (event.key !== 'ArrowLeft' && event.key !== 'ArrowRight') return;
+          event.preventDefault();
+          event.stopPropagation();
+          player.step(event.key === 'ArrowLeft' ? -1 : 1);
+        }}
+      />
+      <output className="time-now">{t.toFixed(1)} s</output>
+      <label>
+        <span className="for-readers">{text.world.speed}</span>
+        <select
+          value={speed}
+          aria-label={text.world.speed}
+          onChange={(event) => usePlayer.setState({ speed: Number(event.target.value) })}
+        >
+          {kSpeeds.map((one) => (
+            <option key={one} value={one}>
+              {text.run.times(`${one}`)}
+            </option>
+          ))}
+        </select>
+      </label>
+      {growing && (
+        <button
+          type="button"
+          aria-pressed={following}
+          title={text.world.live_hint}
+          onClick={() => player.follow(!following)}
+          className={live === 'running' ? 'live' : ''}
+        >
+          {following ? text.world.live : text.world.held}
+        </button>
+      )}
+    </div>
+  );
+}

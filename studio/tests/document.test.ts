@@ -1,0 +1,133 @@
+import { beforeEach, describe, expect, test, vi } from 'vitest';
+import { startAutosave } from '../src/document/autosave';
+import {
+  current,
+  edit,
+  fileChanged,
+  isDirty,
+  openDocument,
+  overwrite,
+  recoverDraft,
+  redo,
+  save,
+  select,
+  undo,
+  useDocument,
+} from '../src/document/document';
+import { StubServer } from './stub';
+
+let server: StubServer;
+const texts = () => current()?.text.split('\n').filter(Boolean);
+const add = (id: string, merge?: string) => edit([{ op: 'add', class: 'sensing', kind: 'K', id }], { merge });
+
+beforeEach(async () => {
+  server = new StubServer();
+  server.install();
+  server.files.set('a.toml', 'one\ntwo');
+  await openDocument('a.toml');
+});
+
+describe('a document', () => {
+  test('undoes two hundred steps and does them again', async () => {
+    for (let i = 0; i < 200; i += 1) await add(`c${i}`);
+    expect(texts()).toHaveLength(202);
+    for (let i = 0; i < 200; i += 1) await undo();
+    expect(texts()).toEqual(['one', 'two']);
+    for (let i = 0; i < 200; i += 1) await redo();
+    expect(texts()).toHaveLength(202);
+  });
+
+  test('carries out edits that overlap one after the other', async () => {
+    await Promise.all([add('a'), add('b'), add('c')]);
+    expect(texts()).toEqual(['one', 'two', 'a', 'b', 'c']);
+  });
+
+  test('makes one step of key presses that follow each other', async () => {
+    await add('a', 'nudge');
+    await add('b', 'nudge');
+    expect(useDocument.getState().steps).toHaveLength(2);
+    await undo();
+    expect(texts()).toEqual(['one', 'two']);
+  });
+
+  test('forgets what was undone when another edit comes', async () => {
+    await add('a');
+    await undo();
+    await add('b');
+    await redo();
+    expect(texts()).toEqual(['one', 'two', 'b']);
+  });
+
+  test('keeps only what is still there selected', async () => {
+    select(['one', 'two']);
+    await edit([{ op: 'remove', ids: ['one'] }]);
+    expect(useDocument.getState().selection).toEqual(['two']);
+  });
+
+  test('keeps the objects of components that an edit leaves alone', async () => {
+    const before = current()?.model.components[1];
+    await edit([{ op: 'rename', id: 'one', to: 'first' }]);
+    expect(current()?.model.components[1]).toBe(before);
+  });
+});
+
+describe('saving', () => {
+  test('clears the dirty mark, and undo sets it again', async () => {
+    await add('a');
+    expect(isDirty()).toBe(true);
+    expect(await save()).toBe(true);
+    expect(isDirty()).toBe(false);
+    await undo();
+    expect(isDirty()).toBe(true);
+  });
+
+  test('stops at a file that another has changed, and overwrites it only when told to', async () => {
+    await add('a');
+    server.files.set('a.toml', 'theirs');
+    expect(await save()).toBe(false);
+    expect(server.files.get('a.toml')).toBe('theirs');
+    expect(useDocument.getState().conflict?.text).toBe('theirs');
+    expect(await overwrite()).toBe(true);
+    expect(server.files.get('a.toml')).toBe('one\ntwo\na');
+  });
+
+  test('follows a change on the disk while nothing is unsaved', async () => {
+    server.files.set('a.toml', 'theirs');
+    expect(await fileChanged('a.toml', 'theirs')).toBe('reloaded');
+    expect(texts()).toEqual(['theirs']);
+    await undo();
+    expect(texts()).toEqual(['one', 'two']);
+  });
+
+  test('asks when the file changed under an unsaved drawing', async () => {
+    await add('a');
+    server.files.set('a.toml', 'theirs');
+    expect(await fileChanged('a.toml', 'theirs')).toBe('conflict');
+    expect(texts()).toEqual(['one', 'two', 'a']);
+  });
+});
+
+describe('drafts', () => {
+  test('are kept a moment after a change and dropped once it is undone', async () => {
+    vi.useFakeTimers();
+    const stop = startAutosave(() => undefined);
+    await add('a');
+    await vi.advanceTimersByTimeAsync(1000);
+    expect(server.drafts.get('a.toml')?.text).toBe('one\ntwo\na');
+    await undo();
+    await vi.advanceTimersByTimeAsync(1000);
+    expect(server.drafts.has('a.toml')).toBe(false);
+    stop();
+    vi.useRealTimers();
+  });
+
+  test('are offered, and recovering one is a step that can be undone', async () => {
+    server.drafts.set('a.toml', { text: 'one\ntwo\nlost', based_on: 'one\ntwo' });
+    await openDocument('a.toml');
+    expect(texts()).toEqual(['one', 'two']);
+    await recoverDraft();
+    expect(texts()).toEqual(['one', 'two', 'lost']);
+    await undo();
+    expect(texts()).toEqual(['one', 'two']);
+  });
+});

@@ -1,0 +1,128 @@
+import { describe, expect, test } from 'vitest';
+import { decodeSample, decodeSamples } from '../src/api/samples';
+import type { Stream } from '../src/api/types';
+import { candidatesAt } from '../src/world/drives';
+import { indexAt, Timeline } from '../src/world/timeline';
+
+const row: Stream = {
+  stream: 1,
+  topic: '/robot0/signals',
+  kind: 'row',
+  columns: ['arbiter.active', 'arbiter.suppressed.hold', 'x'].map((name) => ({ name, unit: '' })),
+  layers: [],
+};
+const grid: Stream = { stream: 2, topic: '/robot0/map/router', kind: 'grid', columns: [], layers: ['label', 'risk'] };
+
+/** Written down byte by byte from docs/studio_api.md. */
+function bytes(kind: number, stream: number, seq: number, t: number, payload: [string, number][]): ArrayBuffer {
+  const sizes: Record<string, number> = { u8: 1, u32: 4, f64: 8 };
+  const buffer = new ArrayBuffer(16 + payload.reduce((sum, [type]) => sum + sizes[type], 0));
+  const view = new DataView(buffer);
+  view.setUint8(0, kind);
+  view.setUint8(1, 1);
+  view.setUint16(2, stream, true);
+  view.setUint32(4, seq, true);
+  view.setFloat64(8, t, true);
+  let at = 16;
+  for (const [type, value] of payload) {
+    if (type === 'u8') view.setUint8(at, value);
+    else if (type === 'u32') view.setUint32(at, value, true);
+    else view.setFloat64(at, value, true);
+    at += sizes[type];
+  }
+  return buffer;
+}
+
+function rowAt(t: number, values: number[]): ArrayBuffer {
+  return bytes(1, 1, 0, t, [['u32', 7], ['u32', values.length], ...values.map((v): [string, number] => ['f64', v])]);
+}
+
+function gridAt(t: number, base: number, cells: [number, number, number][]): ArrayBuffer {
+  const head: [string, number][] = [
+    ['u32', base],
+    ['u32', 2],
+    ['u32', 3],
+    ['f64', -1],
+    ['f64', 0.5],
+    ['f64', 0.25],
+    ['u32', 2],
+    ['u32', cells.length],
+  ];
+  const ids = cells.map(([cell]): [string, number] => ['u32', cell]);
+  const values = cells.flatMap(([, a, b]): [string, number][] => [
+    ['u8', a],
+    ['u8', b],
+  ]);
+  return bytes(2, 2, 1, t, [...head, ...ids, ...values]);
+}
+
+const sample = (buffer: ArrayBuffer) => {
+  const decoded = decodeSample(new DataView(buffer));
+  if (!decoded) throw new Error('not understood');
+  return decoded;
+};
+
+describe('a sample', () => {
+  test('of a row keeps what is no number', () => {
+    const decoded = sample(rowAt(2.5, [1, Number.NaN, Number.POSITIVE_INFINITY]));
+    expect(decoded).toMatchObject({ kind: 'row', stream: 1, t: 2.5, tick: 7 });
+    expect([...(decoded.kind === 'row' ? decoded.values : [])]).toEqual([1, Number.NaN, Number.POSITIVE_INFINITY]);
+  });
+
+  test('that is cut short or of another version is left out', () => {
+    const whole = rowAt(1, [1, 2]);
+    expect(decodeSample(new DataView(whole, 0, whole.byteLength - 1))).toBeNull();
+    new DataView(whole).setUint8(1, 2);
+    expect(decodeSample(new DataView(whole))).toBeNull();
+  });
+
+  test('stands behind its length in a recording', () => {
+    const one = new Uint8Array(rowAt(1, [4]));
+    const file = new Uint8Array(2 * (one.length + 4) - 1);
+    new DataView(file.buffer).setUint32(0, one.length, true);
+    file.set(one, 4);
+    new DataView(file.buffer).setUint32(one.length + 4, one.length, true);
+    expect(decodeSamples(file.buffer)).toHaveLength(1);
+  });
+});
+
+describe('a timeline', () => {
+  test('finds the last entry not later than a time', () => {
+    expect([-1, 0, 0.9, 1, 9].map((t) => indexAt([0, 1, 2], t))).toEqual([-1, 0, 0, 1, 2]);
+  });
+
+  test('shows the map as it was, forwards and backwards', () => {
+    const timeline = new Timeline([row, grid], null, null);
+    timeline.add(sample(gridAt(1, 0, [[0, 10, 11]])));
+    timeline.add(sample(gridAt(2, 1, [[5, 20, 21]])));
+    timeline.add(sample(gridAt(3, 0, [[1, 30, 31]])));
+    timeline.add(
+      sample(
+        gridAt(4, 1, [
+          [1, 40, 41],
+          [2, 50, 51],
+        ]),
+      ),
+    );
+    const values = (t: number) => [...(timeline.maps[0].track.at(t)?.values ?? [])];
+    const at1 = [10, 11, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+    const at2 = [10, 11, 0, 0, 0, 0, 0, 0, 0, 0, 20, 21];
+    const at4 = [0, 0, 40, 41, 50, 51, 0, 0, 0, 0, 0, 0];
+    expect(values(4)).toEqual(at4);
+    expect(values(2)).toEqual(at2);
+    expect(values(1)).toEqual(at1);
+    expect(values(2.5)).toEqual(at2);
+    expect(values(0.5)).toEqual([]);
+    expect(values(9)).toEqual(at4);
+  });
+
+  test('tells who drives and who is suppressed', () => {
+    const info = { robots: [], coordinators: [{ id: 'arbiter', candidates: ['escape', 'hold'] }], cell_m: 0 };
+    const timeline = new Timeline([row], null, info);
+    timeline.add(sample(rowAt(0, [0, 1, 0])));
+    timeline.add(sample(rowAt(1, [1, 0, 0])));
+    const states = (t: number) => candidatesAt(timeline, 0, t).map((one) => one.state);
+    expect(states(0)).toEqual(['driving', 'suppressed']);
+    expect(states(1)).toEqual(['silent', 'driving']);
+  });
+});
