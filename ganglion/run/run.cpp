@@ -155,6 +155,17 @@ Result<std::vector<FreeGround>> drive_free_ground(const Prepared& prepared, cons
   return progress;
 }
 
+/// The same from where these robots start; nothing where there is no such ground, or nobody knows where they are.
+Result<std::vector<FreeGround>> free_ground_of(const Prepared& prepared, const RunOptions& options,
+                                               const Course& course) {
+  if (prepared.open_ground == nullptr || !prepared.robot->simulated() || course.witness() == nullptr) {
+    return std::vector<FreeGround>{};
+  }
+  std::vector<Pose2> starts;
+  for (int i = 0; i < prepared.experiment.robots; ++i) starts.push_back(course.witness()->truth(i).pose);
+  return drive_free_ground(prepared, options, starts);
+}
+
 /// What is measured of all robots.
 class Judge {
  public:
@@ -216,6 +227,16 @@ void ended(RunResult& result, std::string_view english, std::string_view spanish
   result.reason_es = spanish;
 }
 
+Contacts contacts_of(const Course& course, int robots) {
+  Contacts contacts{.known = course.witness() != nullptr};
+  for (int i = 0; i < robots && contacts.known; ++i) {
+    const sim::Truth& truth = course.witness()->truth(i);
+    contacts.count += truth.contacts;
+    contacts.fastest_mps = std::max(contacts.fastest_mps, truth.fastest_contact_mps);
+  }
+  return contacts;
+}
+
 std::size_t concluded_goals(const Course& course) {
   const sim::TrainerLog* trainer = course.trainer();
   if (trainer == nullptr) return 0;
@@ -229,15 +250,9 @@ std::size_t concluded_goals(const Course& course) {
 Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
   auto course = make_course(prepared, options, RunRobots::make(prepared, options));
   if (!course) return tl::unexpected<Error>(course.error());
-  std::vector<FreeGround> free_ground;
-  if (prepared.open_ground != nullptr && prepared.robot->simulated() && course->witness() != nullptr) {
-    std::vector<Pose2> starts;
-    for (int i = 0; i < prepared.experiment.robots; ++i) starts.push_back(course->witness()->truth(i).pose);
-    auto driven = drive_free_ground(prepared, options, starts);
-    if (!driven) return tl::unexpected<Error>(driven.error());
-    free_ground = std::move(*driven);
-  }
-  Judge measured(prepared, *course, std::move(free_ground));
+  auto free_ground = free_ground_of(prepared, options, *course);
+  if (!free_ground) return tl::unexpected<Error>(free_ground.error());
+  Judge measured(prepared, *course, std::move(*free_ground));
   auto recording = Recording::start(prepared, options, course->robots(), course->controllers());
   if (!recording) return tl::unexpected<Error>(recording.error());
 
@@ -276,12 +291,7 @@ Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
     if (!course->robots().free_running()) pace.wait_until(time_s);
   }
   result.measures = measured.measures(*course);
-  result.contacts.known = course->witness() != nullptr;
-  for (int i = 0; i < prepared.experiment.robots && result.contacts.known; ++i) {
-    const sim::Truth& truth = course->witness()->truth(i);
-    result.contacts.count += truth.contacts;
-    result.contacts.fastest_mps = std::max(result.contacts.fastest_mps, truth.fastest_contact_mps);
-  }
+  result.contacts = contacts_of(*course, prepared.experiment.robots);
   result.digest = course->digest();
   result.component_digests = course->component_digests();
   result.experience = course->controllers().front()->experience();

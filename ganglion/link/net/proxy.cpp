@@ -11,6 +11,7 @@
 
 #include "ganglion/link/fault/faulty_connection.h"
 #include "ganglion/link/net/lines.h"
+#include "ganglion/link/net/listen.h"
 
 namespace ganglion::link {
 namespace {
@@ -197,19 +198,7 @@ Result<void> Proxy::Shell::open() {
   tcp::resolver resolver(context_);
   robot_ = resolver.resolve(config_.to.host, std::to_string(config_.to.port), error);
   if (error) return fail(ErrorCode::LinkLost, "{}: no such host: {}", config_.to.text, error.message());
-  Address& address = config_.listen;
-  const auto found = resolver.resolve(address.host, std::to_string(address.port), tcp::resolver::passive, error);
-  if (!error) acceptor_.open(found.begin()->endpoint().protocol(), error);
-  if (!error) acceptor_.set_option(tcp::acceptor::reuse_address(true), error);
-  if (!error) acceptor_.bind(found.begin()->endpoint(), error);
-  if (!error) acceptor_.listen(asio::socket_base::max_listen_connections, error);
-  if (error) {
-    return fail(ErrorCode::LinkLost,
-                "cannot listen at {}: {}. Is something else running there? Port 0 takes a free one", address.text,
-                error.message());
-  }
-  address.port = acceptor_.local_endpoint().port();
-  address.text = fmt::format("tcp://{}:{}", address.host, address.port);
+  if (auto listens = listen_at(acceptor_, config_.listen); !listens) return listens;
   accept();
   return {};
 }

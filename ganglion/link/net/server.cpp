@@ -12,6 +12,7 @@
 #include <random>
 
 #include "ganglion/link/net/lines.h"
+#include "ganglion/link/net/listen.h"
 
 namespace ganglion::link {
 namespace {
@@ -112,20 +113,7 @@ class Server::Shell {
   using Serial = Connection<asio::posix::stream_descriptor>;
 
   Result<void> open_tcp() {
-    ErrorText error;
-    tcp::resolver resolver(context_);
-    const auto found = resolver.resolve(address_.host, std::to_string(address_.port), tcp::resolver::passive, error);
-    if (!error) acceptor_.open(found.begin()->endpoint().protocol(), error);
-    if (!error) acceptor_.set_option(tcp::acceptor::reuse_address(true), error);
-    if (!error) acceptor_.bind(found.begin()->endpoint(), error);
-    if (!error) acceptor_.listen(asio::socket_base::max_listen_connections, error);
-    if (error) {
-      return fail(ErrorCode::LinkLost,
-                  "cannot listen at {}: {}. Is something else running there? Port 0 takes a free one", address_.text,
-                  error.message());
-    }
-    address_.port = acceptor_.local_endpoint().port();
-    address_.text = fmt::format("tcp://{}:{}", address_.host, address_.port);
+    if (auto listens = listen_at(acceptor_, address_); !listens) return listens;
     accept();
     return {};
   }
