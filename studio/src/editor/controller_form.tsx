@@ -3,7 +3,7 @@ import type { Model } from '../api/types';
 import { edit } from '../document/document';
 import { useText } from '../text/text';
 import { complain } from '../ui/workbench';
-import { numberOf, shown } from './field';
+import { numberOf, rounded, shown } from './field';
 
 function Text({ label, value, commit }: { label: string; value: string; commit(words: string): void }) {
   const [words, setWords] = useState(value);
@@ -46,9 +46,10 @@ export function RobotCard({ robot }: { robot: Model['robot'] }) {
           <li key={command.name}>
             <code>{command.name}</code>:{' '}
             {command.elements
-              .map(
-                (one) =>
-                  `${one.name} ${text.inspector.range(shown(one.min), shown(one.max))} ${one.unit && `[${one.unit}]`}`,
+              .map((one) =>
+                [one.name, text.inspector.range(rounded(one.min), rounded(one.max)), one.unit && `[${one.unit}]`]
+                  .filter(Boolean)
+                  .join(' '),
               )
               .join('; ')}
           </li>

@@ -16,6 +16,11 @@ export function shown(value: Value): string {
   return typeof value === 'number' ? `${Number(value.toPrecision(12))}` : `${value}`;
 }
 
+/** For reading only: pi need not fill a line. */
+export function rounded(value: number): string {
+  return `${Number(value.toPrecision(4))}`;
+}
+
 function parsed(words: string, type: ParameterDescriptor['type']): Value | null {
   if (type === 'word' || type === 'choice') return words;
   if (type !== 'reals') return numberOf(words);

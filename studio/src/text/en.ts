@@ -355,9 +355,8 @@ export const en = {
     title: 'Tour: the pathfinder of figure 6',
     intro:
       'One acting module, its request given by the goal App, feedback from the robot, one command. Build it, then run it.',
-    next: 'Next',
     show: 'Do it for me',
-    done: 'done',
+    progress: (at: number, of: number) => `Step ${at} of ${of}:`,
     finish: 'End the tour',
     steps: {
       file: 'Start a new controller for the pathfinder robot (File, New controller).',

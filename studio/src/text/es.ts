@@ -364,9 +364,8 @@ export const es: Dictionary = {
     title: 'Guía: el buscador de rutas de la figura 6',
     intro:
       'Un módulo de actuación, su solicitud dada por el objetivo App, retroalimentación del robot, un comando. Constrúyalo y ejecútelo.',
-    next: 'Siguiente',
     show: 'Hágalo por mí',
-    done: 'hecho',
+    progress: (at: number, of: number) => `Paso ${at} de ${of}:`,
     finish: 'Terminar la guía',
     steps: {
       file: 'Empiece un controlador nuevo para el robot del buscador de rutas (Archivo, Nuevo controlador).',
