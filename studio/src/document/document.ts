@@ -91,6 +91,13 @@ export function select(ids: string[]): void {
   set({ selection: ids });
 }
 
+/** The selection without what is gone; the same list where nothing is. */
+function stillThere(selection: string[], model: Model): string[] {
+  if (selection.length === 0) return selection;
+  const alive = new Set(model.components.map((component) => component.id));
+  return selection.every((id) => alive.has(id)) ? selection : selection.filter((id) => alive.has(id));
+}
+
 function push(step: Step): void {
   set((state) => {
     const before = state.steps[state.now];
@@ -98,8 +105,7 @@ function push(step: Step): void {
       step.merge !== '' && before?.merge === step.merge && step.at_ms - before.at_ms < kMergeWithin_ms && state.now > 0;
     const kept = state.steps.slice(0, joins ? state.now : state.now + 1);
     const steps = [...kept, { ...step, model: share(before?.model, step.model) }].slice(-kMostSteps);
-    const alive = new Set(step.model.components.map((component) => component.id));
-    return { steps, now: steps.length - 1, selection: state.selection.filter((id) => alive.has(id)) };
+    return { steps, now: steps.length - 1, selection: stillThere(state.selection, step.model) };
   });
 }
 
@@ -163,8 +169,7 @@ export function goTo(index: number): Promise<void> {
   return inTurn(async () => {
     const step = get().steps[index];
     if (!step) return;
-    const alive = new Set(step.model.components.map((component) => component.id));
-    set((state) => ({ now: index, selection: state.selection.filter((id) => alive.has(id)) }));
+    set((state) => ({ now: index, selection: stillThere(state.selection, step.model) }));
   });
 }
 

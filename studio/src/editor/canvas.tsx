@@ -14,6 +14,7 @@ import {
   useReactFlow,
 } from '@xyflow/react';
 import { type DragEvent, useCallback, useEffect, useMemo, useRef, useState } from 'react';
+import type { Model } from '../api/types';
 import { current, edit, select, useDocument, useModel } from '../document/document';
 import { useText } from '../text/text';
 import { Icon } from '../ui/icons';
@@ -39,24 +40,55 @@ function wireText(source: string | null, handle: string | null | undefined): str
   return output === '' ? (source ?? '') : `${source}.${output}`;
 }
 
-/** Boxes as drawn now: they follow the model, and the hand while it drags. */
-function useNodes() {
+/** Boxes and wires as drawn now: they follow the model, and the hand while it drags. */
+interface Drawn {
+  path: string;
+  model: Model | undefined;
+  selection: readonly string[];
+  expanded: ReadonlySet<string>;
+  nodes: ComponentNode[];
+  edges: WireEdge[];
+  places: Map<string, Point>;
+}
+
+const kBlank: Drawn = {
+  path: '',
+  model: undefined,
+  selection: [],
+  expanded: new Set(),
+  nodes: [],
+  edges: [],
+  places: new Map(),
+};
+
+/** Another file starts with places of its own. */
+function follow(before: Drawn, now: Pick<Drawn, 'path' | 'model' | 'selection' | 'expanded'>): Drawn {
+  const { nodes, edges, places } = now.path === before.path ? before : { ...kBlank, places: new Map() };
+  const { model } = now;
+  if (!model) return { ...now, nodes: [], edges: [], places };
+  const drawnNodes = nodesOf(model, now.expanded, now.selection, nodes, places);
+  return { ...now, nodes: drawnNodes, edges: model === before.model ? edges : edgesOf(model, edges), places };
+}
+
+function useDrawn() {
   const model = useModel();
   const path = useDocument((state) => state.path);
   const selection = useDocument((state) => state.selection);
   const expanded = useWorkbench((state) => state.expanded);
-  const places = useRef(new Map<string, Point>());
-  const [nodes, setNodes] = useState<ComponentNode[]>([]);
-  // biome-ignore lint/correctness/useExhaustiveDependencies: another file starts with places of its own
-  useEffect(() => {
-    places.current = new Map();
-    setNodes([]);
-  }, [path]);
-  useEffect(() => {
-    setNodes((before) => (model ? nodesOf(model, expanded, selection, before, places.current) : []));
-  }, [model, expanded, selection]);
-  const change = useCallback((changes: NodeChange<ComponentNode>[]) => {
-    setNodes((before) => applyNodeChanges(changes, before));
+  const [drawn, setDrawn] = useState(kBlank);
+  let shown = drawn;
+  // While rendering, not in an effect: one frame less until a change is seen.
+  if (
+    drawn.model !== model ||
+    drawn.path !== path ||
+    drawn.selection !== selection ||
+    drawn.expanded !== expanded
+  ) {
+    shown = follow(drawn, { path, model, selection, expanded });
+    setDrawn(shown);
+  }
+  const changeNodes = useCallback((changes: NodeChange<ComponentNode>[]) => {
+    setDrawn((before) => ({ ...before, nodes: applyNodeChanges(changes, before.nodes) }));
     const picks = changes.filter((one) => one.type === 'select');
     if (picks.length === 0) return;
     const picked = new Set(useDocument.getState().selection);
@@ -66,18 +98,12 @@ function useNodes() {
     }
     select([...picked]);
   }, []);
-  return { nodes, change };
-}
-
-function useEdges() {
-  const model = useModel();
-  const [edges, setEdges] = useState<WireEdge[]>([]);
-  useEffect(() => setEdges((before) => (model ? edgesOf(model, before) : [])), [model]);
-  const change = useCallback(
-    (changes: EdgeChange<WireEdge>[]) => setEdges((before) => applyEdgeChanges(changes, before)),
+  const changeEdges = useCallback(
+    (changes: EdgeChange<WireEdge>[]) =>
+      setDrawn((before) => ({ ...before, edges: applyEdgeChanges(changes, before.edges) })),
     [],
   );
-  return { edges, change };
+  return { nodes: shown.nodes, edges: shown.edges, changeNodes, changeEdges };
 }
 
 async function moved(_: unknown, __: unknown, dragged: ComponentNode[]): Promise<void> {
@@ -148,8 +174,7 @@ function useFitting(frame: { current: HTMLElement | null }, path: string, drawn:
 function Flow() {
   const text = useText();
   const flow = useReactFlow<ComponentNode, WireEdge>();
-  const { nodes, change } = useNodes();
-  const { edges, change: changeEdges } = useEdges();
+  const { nodes, edges, changeNodes, changeEdges } = useDrawn();
   const wiring = useWiring();
   const minimap = useWorkbench((state) => state.minimap);
   const path = useDocument((state) => state.path);
@@ -191,7 +216,7 @@ function Flow() {
         edges={edges}
         nodeTypes={kNodeTypes}
         edgeTypes={kEdgeTypes}
-        onNodesChange={change}
+        onNodesChange={changeNodes}
         onEdgesChange={changeEdges}
         onNodeDragStop={moved}
         onSelectionDragStop={(event, dragged) => moved(event, null, dragged)}
