@@ -81,6 +81,20 @@ export class Studio {
     return spawn(program, ['studio', folder, '--listen', listen, ...roots, '--no-browser']);
   }
 
+  /** Of the server. */
+  get pid(): number {
+    return this.server.pid ?? 0;
+  }
+
+  /** Of the browser's process that carries the newest page. */
+  async pagePid(): Promise<number> {
+    const session = await this.browser.newBrowserCDPSession();
+    const { processInfo } = await session.send('SystemInfo.getProcessInfo');
+    await session.detach();
+    const pages = processInfo.filter((one) => one.type === 'renderer').map((one) => one.id);
+    return Math.max(...pages);
+  }
+
   /** As if the machine had failed: nothing is said goodbye to. */
   async kill(): Promise<void> {
     const ended = new Promise((resolve) => this.server.once('exit', resolve));

@@ -1,4 +1,4 @@
-/** One sample of a stream (docs/studio_api.md, Samples); payloads are copied out of the message. */
+/** One sample of a stream (docs/studio_api.md, Samples); the numbers of a row or path may be the message's own. */
 export type Sample = { stream: number; seq: number; t: number } & (
   | { kind: 'row'; tick: number; values: Float64Array }
   | { kind: 'grid'; base: number; grid: GridChange }
@@ -20,7 +20,13 @@ export interface GridChange {
 const kHeader = 16;
 const kGridHeader = 44;
 
+const kLittleEndian = new Uint8Array(Uint16Array.of(1).buffer)[0] === 1;
+
+/** The message's own bytes where they lie as numbers must; else copied out of it. */
 function floats(view: DataView, at: number, count: number): Float64Array {
+  const start = view.byteOffset + at;
+  if (at + 8 * count > view.byteLength) throw new RangeError('cut short');
+  if (kLittleEndian && start % 8 === 0) return new Float64Array(view.buffer, start, count);
   const values = new Float64Array(count);
   for (let i = 0; i < count; i += 1) values[i] = view.getFloat64(at + 8 * i, true);
   return values;
