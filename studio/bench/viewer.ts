@@ -16,7 +16,7 @@ export class Viewer {
       });
       socket.once('error', reject);
       socket.write(
-        `GET /ws HTTP/1.1\r\nHost: ${host}\r\nOrigin: http://${host}\r\nAuthorization: Bearer ${searchParams.get('token')}\r\n` +
+        `GET /ws?bundles=1 HTTP/1.1\r\nHost: ${host}\r\nOrigin: http://${host}\r\nAuthorization: Bearer ${searchParams.get('token')}\r\n` +
           'Upgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n' +
           'Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n',
       );

@@ -76,6 +76,26 @@ export function decodeSample(view: DataView): Sample | null {
   }
 }
 
+const kBundle = 5;
+
+/** All samples of one message: it may be several rows that waited together. */
+export function decodeMessage(buffer: ArrayBuffer): Sample[] {
+  const view = new DataView(buffer);
+  if (view.byteLength < kHeader || view.getUint8(0) !== kBundle) {
+    const sample = decodeSample(view);
+    return sample ? [sample] : [];
+  }
+  const samples: Sample[] = [];
+  for (let at = kHeader; at + 8 <= view.byteLength; ) {
+    const bytes = Number(view.getBigUint64(at, true));
+    if (at + 8 + bytes > view.byteLength) break;
+    const sample = decodeSample(new DataView(buffer, at + 8, bytes));
+    if (sample) samples.push(sample);
+    at += 8 + Math.ceil(bytes / 8) * 8;
+  }
+  return samples;
+}
+
 /** The samples of a recording, each behind its length in bytes. */
 export function decodeSamples(buffer: ArrayBuffer): Sample[] {
   const view = new DataView(buffer);

@@ -2,8 +2,6 @@ import type { GridChange, Sample } from '../api/samples';
 import type { GoalEvent, Info, LogEvent, Scene, Stream } from '../api/types';
 import { indexAt, RowTrack, thinned } from './rows';
 
-export { indexAt, RowTrack } from './rows';
-
 /** Things that each hold from their time on. */
 class Track<T> {
   times: number[] = [];
