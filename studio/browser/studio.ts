@@ -86,13 +86,13 @@ export class Studio {
     return this.server.pid ?? 0;
   }
 
-  /** Of the browser's process that carries the newest page. */
-  async pagePid(): Promise<number> {
+  /** The browser's processes, the busiest page's first. */
+  async browserPids(): Promise<number[]> {
     const session = await this.browser.newBrowserCDPSession();
     const { processInfo } = await session.send('SystemInfo.getProcessInfo');
     await session.detach();
-    const pages = processInfo.filter((one) => one.type === 'renderer').map((one) => one.id);
-    return Math.max(...pages);
+    const rank = (one: { type: string; cpuTime: number }) => (one.type === 'renderer' ? 1e6 : 0) + one.cpuTime;
+    return processInfo.sort((a, b) => rank(b) - rank(a)).map((one) => one.id);
   }
 
   /** As if the machine had failed: nothing is said goodbye to. */

@@ -1,6 +1,7 @@
 /** Where something stands in the text. It changes with every line above it and is shown of problems only, so what
  *  differs in nothing else counts as the same. */
 const kPlaces: ReadonlySet<string> = new Set(['line', 'column']);
+const kProblems = 'problems';
 
 /** Equal in all but places in the text; with `placed` in those too. */
 export function isSame(before: unknown, next: unknown, placed = false): boolean {
@@ -12,13 +13,12 @@ export function isSame(before: unknown, next: unknown, placed = false): boolean 
     return true;
   }
   const [old, made] = [before as Record<string, unknown>, next as Record<string, unknown>];
-  let keys = 0;
   for (const key in made) {
-    if (!(key in old) || !((!placed && kPlaces.has(key)) || isSame(old[key], made[key], placed))) return false;
-    keys += 1;
+    if (!(key in old)) return false;
+    if (!placed && kPlaces.has(key)) continue;
+    if (!isSame(old[key], made[key], placed || key === kProblems)) return false;
   }
-  for (const _ in old) keys -= 1;
-  return keys === 0;
+  return Object.keys(old).length === Object.keys(made).length;
 }
 
 /** `next`, with every part that is equal to one of `before` replaced by it: what did not change stays the same object,
@@ -31,7 +31,7 @@ export function share<T>(before: unknown, next: T, placed = false): T {
   if (typeof next !== 'object' || next === null || typeof before !== 'object' || before === null) return next;
   const old = before as Record<string, unknown>;
   const made: Record<string, unknown> = {};
-  for (const [key, value] of Object.entries(next)) made[key] = share(old[key], value, placed || key === 'problems');
+  for (const [key, value] of Object.entries(next)) made[key] = share(old[key], value, placed || key === kProblems);
   return made as T;
 }
 

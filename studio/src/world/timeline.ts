@@ -56,7 +56,7 @@ function wholeOf(state: MapState): GridChange {
 
 /** Applies changes on the way to a time; on the way back it begins anew at the last whole map. When all changes together
  *  are too many, the older half becomes one map, and what was before it is shown as that. */
-class MapTrack {
+export class MapTrack {
   private times: number[] = [];
   private values: { base: number; grid: GridChange }[] = [];
   private bytes = 0;
@@ -64,11 +64,13 @@ class MapTrack {
   private changes = 0;
   private state: MapState | null = null;
 
+  constructor(private readonly most_bytes: number) {}
+
   add(t: number, base: number, grid: GridChange): void {
     this.times.push(t);
     this.values.push({ base, grid });
     this.bytes += sizeOf(grid);
-    if (this.bytes > kMapBytes && this.times.length > 2) this.fold();
+    if (this.bytes > this.most_bytes && this.times.length > 2) this.fold();
   }
 
   private fold(): void {
@@ -117,7 +119,7 @@ function sizeOf(grid: GridChange): number {
 }
 
 // What a run that goes on for hours may take: what is older is kept in coarser steps.
-const kRowBytes = 96 << 20; // of all robots together
+const kRowBytes = 24 << 20; // of all robots together
 const kLeastRows = 1800; // if each robot can have fewer, only the first keeps all of its columns
 const kMapBytes = 16 << 20;
 const kChangeBytes = 300;
@@ -177,7 +179,7 @@ export class Timeline {
       return (sample) => sample.kind === 'row' && track.add(sample.t, sample.values);
     }
     if (stream.kind === 'grid') {
-      const track = new MapTrack();
+      const track = new MapTrack(kMapBytes);
       this.maps.push({ topic: stream.topic, layers: stream.layers, track });
       return (sample) => sample.kind === 'grid' && track.add(sample.t, sample.base, sample.grid);
     }
