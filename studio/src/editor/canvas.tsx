@@ -1,28 +1,24 @@
 import '@xyflow/react/dist/base.css';
 import {
-  applyEdgeChanges,
-  applyNodeChanges,
   Background,
   type Connection,
   ConnectionMode,
-  type EdgeChange,
   type FinalConnectionState,
   MiniMap,
-  type NodeChange,
   ReactFlow,
   ReactFlowProvider,
   useReactFlow,
 } from '@xyflow/react';
-import { type DragEvent, useCallback, useEffect, useMemo, useRef, useState } from 'react';
-import type { Model } from '../api/types';
-import { current, edit, select, useDocument, useModel } from '../document/document';
+import { type DragEvent, useCallback, useEffect, useMemo, useRef } from 'react';
+import { current, edit, useDocument } from '../document/document';
 import { useText } from '../text/text';
 import { Icon } from '../ui/icons';
 import { complain, openDialog, say, toast, useWorkbench } from '../ui/workbench';
 import { add, type Offered } from './adding';
 import { setCanvas } from './canvas_handle';
 import { ComponentBox } from './component_node';
-import { type ComponentNode, edgesOf, nodesOf, type WireEdge } from './graph';
+import { useDrawn } from './drawn';
+import type { ComponentNode, WireEdge } from './graph';
 import { canvasKey } from './keyboard';
 import type { Point } from './placing';
 import { WireLine } from './wire_edge';
@@ -38,72 +34,6 @@ export const kDragType = 'application/x-ganglion-component';
 function wireText(source: string | null, handle: string | null | undefined): string {
   const output = (handle ?? '').replace(/^o:/, '');
   return output === '' ? (source ?? '') : `${source}.${output}`;
-}
-
-/** Boxes and wires as drawn now: they follow the model, and the hand while it drags. */
-interface Drawn {
-  path: string;
-  model: Model | undefined;
-  selection: readonly string[];
-  expanded: ReadonlySet<string>;
-  nodes: ComponentNode[];
-  edges: WireEdge[];
-  places: Map<string, Point>;
-}
-
-const kBlank: Drawn = {
-  path: '',
-  model: undefined,
-  selection: [],
-  expanded: new Set(),
-  nodes: [],
-  edges: [],
-  places: new Map(),
-};
-
-/** Another file starts with places of its own. */
-function follow(before: Drawn, now: Pick<Drawn, 'path' | 'model' | 'selection' | 'expanded'>): Drawn {
-  const { nodes, edges, places } = now.path === before.path ? before : { ...kBlank, places: new Map() };
-  const { model } = now;
-  if (!model) return { ...now, nodes: [], edges: [], places };
-  const drawnNodes = nodesOf(model, now.expanded, now.selection, nodes, places);
-  return { ...now, nodes: drawnNodes, edges: model === before.model ? edges : edgesOf(model, edges), places };
-}
-
-function useDrawn() {
-  const model = useModel();
-  const path = useDocument((state) => state.path);
-  const selection = useDocument((state) => state.selection);
-  const expanded = useWorkbench((state) => state.expanded);
-  const [drawn, setDrawn] = useState(kBlank);
-  let shown = drawn;
-  // While rendering, not in an effect: one frame less until a change is seen.
-  if (
-    drawn.model !== model ||
-    drawn.path !== path ||
-    drawn.selection !== selection ||
-    drawn.expanded !== expanded
-  ) {
-    shown = follow(drawn, { path, model, selection, expanded });
-    setDrawn(shown);
-  }
-  const changeNodes = useCallback((changes: NodeChange<ComponentNode>[]) => {
-    setDrawn((before) => ({ ...before, nodes: applyNodeChanges(changes, before.nodes) }));
-    const picks = changes.filter((one) => one.type === 'select');
-    if (picks.length === 0) return;
-    const picked = new Set(useDocument.getState().selection);
-    for (const one of picks) {
-      if (one.selected) picked.add(one.id);
-      else picked.delete(one.id);
-    }
-    select([...picked]);
-  }, []);
-  const changeEdges = useCallback(
-    (changes: EdgeChange<WireEdge>[]) =>
-      setDrawn((before) => ({ ...before, edges: applyEdgeChanges(changes, before.edges) })),
-    [],
-  );
-  return { nodes: shown.nodes, edges: shown.edges, changeNodes, changeEdges };
 }
 
 async function moved(_: unknown, __: unknown, dragged: ComponentNode[]): Promise<void> {
