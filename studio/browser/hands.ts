@@ -107,7 +107,7 @@ async function onDrawing(page: Page): Promise<void> {
 }
 
 /** Selects by the search dialog: no pointer anywhere. */
-async function find(page: Page, id: string): Promise<void> {
+export async function find(page: Page, id: string): Promise<void> {
   await onDrawing(page);
   await page.keyboard.press('Control+F');
   await page.keyboard.type(id);

@@ -81,6 +81,20 @@ export class Studio {
     return spawn(program, ['studio', folder, '--listen', listen, ...roots, '--no-browser']);
   }
 
+  /** Of the server. */
+  get pid(): number {
+    return this.server.pid ?? 0;
+  }
+
+  /** The browser's processes, the busiest page's first. */
+  async browserPids(): Promise<number[]> {
+    const session = await this.browser.newBrowserCDPSession();
+    const { processInfo } = await session.send('SystemInfo.getProcessInfo');
+    await session.detach();
+    const rank = (one: { type: string; cpuTime: number }) => (one.type === 'renderer' ? 1e6 : 0) + one.cpuTime;
+    return processInfo.sort((a, b) => rank(b) - rank(a)).map((one) => one.id);
+  }
+
   /** As if the machine had failed: nothing is said goodbye to. */
   async kill(): Promise<void> {
     const ended = new Promise((resolve) => this.server.once('exit', resolve));

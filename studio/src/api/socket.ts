@@ -1,4 +1,4 @@
-import { decodeSample, type Sample } from './samples';
+import { decodeMessage, type Sample } from './samples';
 import type { Hello, StudioEvent } from './types';
 
 export interface Listener {
@@ -31,8 +31,8 @@ export class Connection {
   }
 
   private open(): void {
-    const resume = this.session ? `?session=${this.session}&after=${this.seq}` : '';
-    const socket = new WebSocket(this.url + resume, 'ganglion.studio.v1');
+    const resume = this.session ? `&session=${this.session}&after=${this.seq}` : '';
+    const socket = new WebSocket(`${this.url}?bundles=1${resume}`, 'ganglion.studio.v1');
     this.socket = socket;
     socket.binaryType = 'arraybuffer';
     socket.onmessage = (message) => this.receive(message.data);
@@ -47,8 +47,7 @@ export class Connection {
 
   private receive(data: string | ArrayBuffer): void {
     if (typeof data !== 'string') {
-      const sample = decodeSample(new DataView(data));
-      if (sample) this.listener.sample(sample);
+      for (const sample of decodeMessage(data)) this.listener.sample(sample);
       return;
     }
     const message = JSON.parse(data);

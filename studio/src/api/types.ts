@@ -73,8 +73,6 @@ export interface Wire {
   output: string;
   element: string;
   previous: boolean;
-  line: number;
-  column: number;
   ok: boolean;
 }
 
@@ -85,18 +83,18 @@ export interface Output {
   elements: string[];
 }
 
+/** Without the lines that the server says besides: of a component that did not change they would be old (share.ts). */
 export interface Component {
   id: string;
   class: ComponentClass;
   kind: string;
-  line: number;
   editable: boolean;
   position: [number, number] | null;
   channel: string;
   command: string;
   inputs: { port: string; wires: Wire[] }[];
   outputs: Output[];
-  parameters: { name: string; value: Value; line: number }[];
+  parameters: { name: string; value: Value }[];
   unknown: { key: string; text: string }[];
 }
 

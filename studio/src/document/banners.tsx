@@ -5,7 +5,9 @@ import { discardDraft, overwrite, putOffConflict, recoverDraft, takeFromDisk, us
 /** What must be decided before going on calmly: a draft to recover, a file that changed on the disk. */
 export function Banners() {
   const text = useText();
-  const { draft, conflict, hash } = useDocument();
+  const draft = useDocument((state) => state.draft);
+  const conflict = useDocument((state) => state.conflict);
+  const hash = useDocument((state) => state.hash);
   const connected = useWorkbench((state) => state.connected);
   const act = (work: () => Promise<unknown>) => () => work().catch(complain);
   return (

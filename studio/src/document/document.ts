@@ -35,6 +35,9 @@ interface DocumentState {
 }
 
 const kMostSteps = 1000;
+/** Two hundred can always be undone; more of them as long as their texts do not fill the memory. */
+const kFewestSteps = 200;
+const kMostCharacters = 64e6;
 const kMergeWithin_ms = 1000;
 
 const kClosed: DocumentState = {
@@ -91,15 +94,33 @@ export function select(ids: string[]): void {
   set({ selection: ids });
 }
 
+/** The selection without what is gone; the same list where nothing is. */
+function stillThere(selection: string[], model: Model): string[] {
+  if (selection.length === 0) return selection;
+  const alive = new Set(model.components.map((component) => component.id));
+  return selection.every((id) => alive.has(id)) ? selection : selection.filter((id) => alive.has(id));
+}
+
+/** The newest of the steps, as many as are kept. */
+export function kept(steps: Step[]): Step[] {
+  let characters = 0;
+  let first = steps.length;
+  while (first > 0 && steps.length - first < kMostSteps) {
+    characters += steps[first - 1].text.length;
+    if (characters > kMostCharacters && steps.length - first >= kFewestSteps) break;
+    first -= 1;
+  }
+  return first === 0 ? steps : steps.slice(first);
+}
+
 function push(step: Step): void {
   set((state) => {
     const before = state.steps[state.now];
     const joins =
       step.merge !== '' && before?.merge === step.merge && step.at_ms - before.at_ms < kMergeWithin_ms && state.now > 0;
-    const kept = state.steps.slice(0, joins ? state.now : state.now + 1);
-    const steps = [...kept, { ...step, model: share(before?.model, step.model) }].slice(-kMostSteps);
-    const alive = new Set(step.model.components.map((component) => component.id));
-    return { steps, now: steps.length - 1, selection: state.selection.filter((id) => alive.has(id)) };
+    const past = state.steps.slice(0, joins ? state.now : state.now + 1);
+    const steps = kept([...past, { ...step, model: share(before?.model, step.model) }]);
+    return { steps, now: steps.length - 1, selection: stillThere(state.selection, step.model) };
   });
 }
 
@@ -163,8 +184,7 @@ export function goTo(index: number): Promise<void> {
   return inTurn(async () => {
     const step = get().steps[index];
     if (!step) return;
-    const alive = new Set(step.model.components.map((component) => component.id));
-    set((state) => ({ now: index, selection: state.selection.filter((id) => alive.has(id)) }));
+    set((state) => ({ now: index, selection: stillThere(state.selection, step.model) }));
   });
 }
 

@@ -1,4 +1,4 @@
-import { useEffect, useState } from 'react';
+import { memo, useEffect, useState } from 'react';
 import type { Model } from '../api/types';
 import { edit } from '../document/document';
 import { useText } from '../text/text';
@@ -23,7 +23,7 @@ function Text({ label, value, commit }: { label: string; value: string; commit(w
 }
 
 /** The robot's self-description: what a controller can feel and do. */
-export function RobotCard({ robot }: { robot: Model['robot'] }) {
+export const RobotCard = memo(function RobotCard({ robot }: { robot: Model['robot'] }) {
   const text = useText();
   if (!robot.known) return <p className="hint">{text.palette.no_robot}</p>;
   return (
@@ -57,7 +57,7 @@ export function RobotCard({ robot }: { robot: Model['robot'] }) {
       </ul>
     </section>
   );
-}
+});
 
 /** What belongs to the whole controller. */
 export function ControllerForm({ model }: { model: Model }) {

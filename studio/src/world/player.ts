@@ -1,6 +1,7 @@
 import { create } from 'zustand';
 import { writeValues } from '../run/live_values';
-import { indexAt, type Timeline } from './timeline';
+import { indexAt } from './rows';
+import type { Timeline } from './timeline';
 
 interface Shown {
   timeline: Timeline | null;
