@@ -179,3 +179,12 @@ describe('a timeline', () => {
     expect(states(1)).toEqual(['silent', 'driving']);
   });
 });
+
+test('a run of which ticks are missing is told from a whole one', () => {
+  const timeline = new Timeline([row], null, null);
+  expect(timeline.isWhole(0)).toBe(false);
+  for (const t of [0, 0.5, 1, 1.5, 9.5]) timeline.add(sample(rowAt(t, [0, 0, 0])));
+  expect(timeline.isWhole(2)).toBe(true);
+  expect(timeline.isWhole(10)).toBe(false);
+  expect(timeline.bytesOf(10)).toBe(20 * 3 * 8);
+});

@@ -57,6 +57,7 @@ export const useRun = create<Run>(() => ({
 }));
 
 const { getState: get, setState: set } = useRun;
+const kMostToComplete = 32 << 20; // bytes of rows
 
 function showLive(timeline: Timeline): void {
   set({ live: timeline, recording: null, recorded: null, showing: true });
@@ -83,6 +84,7 @@ function takeState(state: RunState): void {
   sayOutcome(get().state, state);
   const ended = state.state === 'done' && get().state?.state !== 'done';
   set((run) => ({ state, filesVersion: run.filesVersion + (ended ? 1 : 0) }));
+  if (ended && state.outcome?.file) completeFrom(state.outcome.file, state.time_s).catch(complain);
 }
 
 function takeEvent(event: StudioEvent): void {
@@ -108,7 +110,8 @@ function takeEvent(event: StudioEvent): void {
 }
 
 function takeSample(sample: Sample): void {
-  get().live?.add(sample);
+  const { live } = get();
+  if (!live?.complete) live?.add(sample);
   player.wake();
 }
 
@@ -158,12 +161,29 @@ export async function start(): Promise<void> {
   await api.start(wanted);
 }
 
-export async function openRecording(path: string): Promise<void> {
+async function load(path: string): Promise<{ recording: Recording; timeline: Timeline }> {
   const [recording, bytes] = await Promise.all([api.recording(path), api.samples(path)]);
   const timeline = new Timeline(recording.streams, recording.scene, recording.info);
   for (const sample of decodeSamples(bytes)) timeline.add(sample);
   for (const event of recording.events) timeline.addEvent(event);
   timeline.end = Math.max(timeline.end, recording.duration_s);
+  return { recording, timeline };
+}
+
+/** Of a run that was faster than it could be watched not every tick was sent: its trail would lead straight through
+ *  walls. Its file has them all. */
+async function completeFrom(path: string, time_s: number): Promise<void> {
+  const { live } = get();
+  if (!live || live.isWhole(time_s) || live.bytesOf(time_s) > kMostToComplete) return;
+  const { timeline } = await load(path);
+  timeline.complete = true;
+  if (get().live !== live) return; // the next run has begun
+  set({ live: timeline });
+  if (!get().recording) player.replace(timeline);
+}
+
+export async function openRecording(path: string): Promise<void> {
+  const { recording, timeline } = await load(path);
   set({ recording, recorded: timeline, showing: true });
   player.show(timeline, false);
 }

@@ -47,6 +47,12 @@ class Player {
     this.wake();
   }
 
+  /** The same run, better known: the time that is looked at stays. */
+  replace(timeline: Timeline): void {
+    set({ timeline, end: timeline.end });
+    this.wake();
+  }
+
   addPainter(painter: Painter): () => void {
     this.painters.add(painter);
     this.wake();

@@ -144,6 +144,8 @@ export class Timeline {
   readonly goals: GoalEvent[] = [];
   readonly logs: LogEvent[] = [];
   end = 0;
+  /** Nothing is to come that it does not have. */
+  complete = false;
   private readonly takers = new Map<number, (sample: Sample) => void>();
 
   constructor(
@@ -206,6 +208,24 @@ export class Timeline {
     const track = this.robots[robot];
     const index = track?.columns.get(column);
     return index === undefined ? Number.NaN : track.value(track.at(t), index);
+  }
+
+  /** Seconds between two rows where none is missing, as far as can be told from those that came. */
+  private tick(): number {
+    let least = Number.POSITIVE_INFINITY;
+    for (let i = 1; i < this.times.length; i += 1) least = Math.min(least, this.times[i] - this.times[i - 1]);
+    return least;
+  }
+
+  /** Whether all rows of so long a run are here, but for a few that time did not allow for. */
+  isWhole(time_s: number): boolean {
+    return this.times.length > 1 && this.times.length >= 0.98 * (time_s / this.tick());
+  }
+
+  /** What all rows of so long a run would take. */
+  bytesOf(time_s: number): number {
+    const columns = this.robots.reduce((sum, robot) => sum + robot.columns.size, 0);
+    return (8 * columns * time_s) / this.tick();
   }
 
   /** Times of one robot's rows: what a step goes along. */
