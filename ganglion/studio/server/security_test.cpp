@@ -61,13 +61,32 @@ TEST_F(Security, AnswersToItsOwnNamesOnly) {
   EXPECT_EQ(talk(client.port, "GET / HTTP/1.0\r\nAuthorization: Bearer " + client.token + "\r\n\r\n").status, 421u);
 }
 
+/// With the cookie a browser would send, and no token.
+Client page_of(Client client) {
+  client.headers["Authorization"] = "";
+  const std::string cookie = client.get("/?token=" + client.token).header("set-cookie");
+  client.headers["Cookie"] = cookie.substr(0, cookie.find(';'));
+  return client;
+}
+
+/// Origins that are not that of the page of `port`.
+std::vector<std::string> foreign_origins(std::uint16_t port) {
+  const std::string own = std::to_string(port);
+  return {"null",
+          "http://evil.example",
+          "http://127.0.0.1:" + std::to_string(port + 1),
+          "https://127.0.0.1:" + own,
+          "http://localhost:" + own,
+          "http://127.0.0.1:" + own + "/",
+          "http://127.0.0.1:" + own + ".evil.example"};
+}
+
 TEST_F(Security, TakesCommandsFromItsOwnPageOnly) {
-  Client client = client_of();
+  Client client = page_of(client_of());
   const std::string port = std::to_string(client.port);
-  for (const std::string& origin :
-       {std::string(), std::string("null"), std::string("http://evil.example"),
-        std::string("http://127.0.0.1:") + std::to_string(client.port + 1), std::string("https://127.0.0.1:") + port,
-        std::string("http://localhost:") + port, std::string("http://127.0.0.1:") + port + "/"}) {
+  std::vector<std::string> origins = foreign_origins(client.port);
+  origins.emplace_back();  // none
+  for (const std::string& origin : origins) {
     client.headers["Origin"] = origin;
     EXPECT_EQ(client.post("/api/file/open", {{"path", "controller.toml"}}).status, 403u) << origin;
     EXPECT_EQ(client.send("PUT", "/api/files", "").status, 403u) << origin;
@@ -77,6 +96,27 @@ TEST_F(Security, TakesCommandsFromItsOwnPageOnly) {
   client.headers["Origin"] = "http://127.0.0.1:" + port;
   EXPECT_EQ(client.post("/api/file/open", {{"path", "controller.toml"}}).status, 200u);
   EXPECT_EQ(Watcher(client).status(), 101u);
+}
+
+TEST_F(Security, LetsAScriptInThatNamesNoPage) {
+  Client client = client_of();
+  client.headers["Origin"] = "";
+  EXPECT_EQ(client.post("/api/file/open", {{"path", "controller.toml"}}).status, 200u);
+  EXPECT_EQ(Watcher(client).status(), 101u);
+  const std::string bytes = "POST /api/file/open HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(client.port) +
+                            "\r\nAuthorization: Bearer " + client.token + "\r\nOrigin:\r\nContent-Length: 2\r\n\r\n{}";
+  EXPECT_EQ(talk(client.port, bytes).status, 403u) << "an empty Origin is one";
+  for (const std::string& origin : foreign_origins(client.port)) {
+    client.headers["Origin"] = origin;
+    EXPECT_EQ(client.post("/api/file/open", {{"path", "controller.toml"}}).status, 403u) << origin;
+    EXPECT_EQ(client.get("/api/files").status, 403u) << origin;
+    EXPECT_EQ(Watcher(client).status(), 403u) << origin;
+  }
+  client.headers["Origin"] = "http://127.0.0.1:" + std::to_string(client.port);
+  EXPECT_EQ(client.post("/api/file/open", {{"path", "controller.toml"}}).status, 200u);
+  client.headers["Authorization"] = "Bearer " + std::string(64, '0');
+  client.headers["Origin"] = "";
+  EXPECT_EQ(client.post("/api/file/open", {{"path", "controller.toml"}}).status, 401u);
 }
 
 TEST_F(Security, ShowsNothingToThePageOfAnotherPort) {
@@ -94,10 +134,12 @@ TEST_F(Security, SendsTheHeadersThatBindABrowserWithEveryAnswer) {
   Client stranger = client;
   stranger.headers["Authorization"] = "";
   for (const Answer& answer : {client.get("/"), client.get("/api/files"), client.get("/nowhere.js"), stranger.get("/"),
-                               client.get("/?token=" + client.token)}) {
+                               client.post("/api/file/open", {}), client.get("/?token=" + client.token)}) {
     const std::string policy = answer.header("content-security-policy");
     EXPECT_TRUE(policy.starts_with("default-src 'self'; frame-ancestors 'none'")) << policy;
-    EXPECT_EQ(policy.find("unsafe"), std::string::npos);
+    EXPECT_EQ(policy.find("unsafe"), std::string::npos) << "neither eval nor scripts in the page";
+    EXPECT_EQ(answer.header("referrer-policy"), "no-referrer") << "the key stands in the first URL";
+    EXPECT_EQ(answer.header("cross-origin-resource-policy"), "same-origin");
     EXPECT_EQ(answer.header("x-content-type-options"), "nosniff");
     EXPECT_EQ(answer.header("cache-control"), "no-store");
     for (const auto& [name, value] : answer.headers) EXPECT_FALSE(name.starts_with("access-control")) << name;
@@ -187,6 +229,19 @@ TEST_F(Security, AnswersWhileAThousandSlowConnectionsHang) {
   EXPECT_TRUE(watcher.event("file")) << "and who watches still does";
 }
 
+TEST_F(Security, LetsNoMoreThan64Watch) {
+  const Client client = client_of();
+  std::vector<std::unique_ptr<Watcher>> watchers;
+  for (int i = 0; i < 64; ++i) {
+    watchers.push_back(std::make_unique<Watcher>(client));
+    ASSERT_EQ(watchers.back()->status(), 101u) << i;
+  }
+  EXPECT_EQ(Watcher(client).status(), 503u);
+  EXPECT_EQ(client.get("/").status, 200u);
+  watchers.clear();
+  EXPECT_EQ(client.get("/").status, 200u);
+}
+
 TEST_F(Security, EndsAConnectionThatTricklesItsHeader) {
   const Client client = client_of();
   RawConnection slow(client.port);
@@ -229,6 +284,14 @@ TEST_F(Security, StartsNoProgramThatIsNotOnTheUsersList) {
     EXPECT_EQ(answer.status, 403u) << program;
     EXPECT_EQ(answer.json()["error"]["code"], "ProgramNotListed");
   }
+  for (const char* key : {"controller", "application.robot", "application.world", "application.program",
+                          "application.address", "application"}) {
+    const std::string set = std::string(key) + "={program = [\"/bin/touch\", \"" + mark.string() + "\"]}";
+    EXPECT_EQ(
+        client.post("/api/run/start", {{"experiment", "experiment.toml"}, {"set", {set}}}).json()["error"]["code"],
+        key == std::string("application") ? "ProgramNotListed" : "Forbidden")
+        << key;
+  }
   const std::string command = "application.program=[\"/bin/touch\", \"" + mark.string() + "\"]";
   EXPECT_EQ(client.post("/api/run/start", {{"experiment", "experiment.toml"}, {"set", {command}}}).status, 403u);
   const std::string experiment = read_file(folder() / "experiment.toml").value();
@@ -244,6 +307,12 @@ TEST_F(Security, StartsNoProgramThatIsNotOnTheUsersList) {
   EXPECT_FALSE(std::filesystem::exists(mark));
 }
 
+TEST_F(Security, ListensForThisMachineUnlessToldOtherwise) {
+  const Client client = client_of();
+  EXPECT_TRUE(RawConnection(client.port).is_open());
+  EXPECT_FALSE(RawConnection(client.port, "127.0.0.2").is_open()) << "bound to more than 127.0.0.1";
+}
+
 TEST_F(Security, ListensForOthersOnlyWhereANameIsGiven) {
   const auto open = Server::start({.folder = folder(), .address = "0.0.0.0"});
   ASSERT_FALSE(open);
@@ -251,6 +320,7 @@ TEST_F(Security, ListensForOthersOnlyWhereANameIsGiven) {
   const auto named = Server::start({.folder = folder(), .address = "0.0.0.0", .allow_hosts = {"robot.local"}});
   ASSERT_TRUE(named);
   Client client{(*named)->port(), (*named)->token(), {}};
+  EXPECT_TRUE(RawConnection(client.port, "127.0.0.2").is_open()) << "others reach it, as was asked for";
   client.headers["Host"] = "robot.local:" + std::to_string(client.port);
   EXPECT_EQ(client.get("/").status, 200u);
   client.headers["Host"] = "other.local:" + std::to_string(client.port);
@@ -273,16 +343,6 @@ TEST_F(Security, SurvivesWhatIsNoHttp) {
       EXPECT_TRUE(answer.status >= 200 && answer.status < 500) << path << " " << body << " " << answer.status;
     }
   }
-}
-
-TEST(Secrets, AreComparedWhole) {
-  EXPECT_TRUE(same_secret("abc", "abc"));
-  EXPECT_FALSE(same_secret("abc", "abd"));
-  EXPECT_FALSE(same_secret("ab", "abc"));
-  EXPECT_FALSE(same_secret("abcd", "abc"));
-  EXPECT_FALSE(same_secret("", "abc"));
-  EXPECT_EQ(random_secret().size(), 64u);
-  EXPECT_NE(random_secret(), random_secret());
 }
 
 }  // namespace

@@ -20,12 +20,12 @@ namespace {
 namespace beast = boost::beast;
 namespace websocket = beast::websocket;
 
-int connected(std::uint16_t port) {
+int connected(std::uint16_t port, const char* to = "127.0.0.1") {
   const int fd = ::socket(AF_INET, SOCK_STREAM, 0);
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_port = htons(port);
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  address.sin_addr.s_addr = ::inet_addr(to);
   if (fd >= 0 && ::connect(fd, reinterpret_cast<sockaddr*>(&address), sizeof address) != 0) {
     ::close(fd);
     return -1;
@@ -105,7 +105,7 @@ Answer Client::send(const std::string& method, const std::string& target, const 
   return talk(port, bytes + "\r\n" + body);
 }
 
-RawConnection::RawConnection(std::uint16_t port) : socket_(connected(port)) {}
+RawConnection::RawConnection(std::uint16_t port, const char* address) : socket_(connected(port, address)) {}
 RawConnection::RawConnection(RawConnection&& other) noexcept : socket_(std::exchange(other.socket_, -1)) {}
 RawConnection::~RawConnection() {
   if (socket_ >= 0) ::close(socket_);

@@ -38,9 +38,10 @@ struct Client {
 /// An open connection of raw bytes.
 class RawConnection {
  public:
-  explicit RawConnection(std::uint16_t port);
+  explicit RawConnection(std::uint16_t port, const char* address = "127.0.0.1");
   ~RawConnection();
   RawConnection(RawConnection&&) noexcept;
+  bool is_open() const noexcept { return socket_ >= 0; }
   void write(const std::string& bytes);
   /// Whether the other side has closed, waiting for it at most so long.
   bool closed_within(double seconds);
