@@ -218,18 +218,20 @@ SourceMap map_source(std::string_view text) { return Scanner(text).run(); }
 
 std::vector<ComponentSource> components_of(const SourceMap& map, std::string_view text) {
   std::vector<ComponentSource> result;
+  std::array<std::size_t, kClasses.size()> last{};  // of each class, counted from 1
   for (std::size_t i = 0; i < map.sections.size(); ++i) {
     const SectionSource& section = map.sections[i];
-    if (section.list && std::find(kClasses.begin(), kClasses.end(), section.name) != kClasses.end()) {
-      result.push_back({section.name, id_of(section, text), {i}});
-      continue;
-    }
     const std::size_t dot = section.name.find('.');
-    if (dot == std::string::npos || result.empty()) continue;
     const std::string_view root = std::string_view(section.name).substr(0, dot);
-    const auto owner = std::find_if(result.rbegin(), result.rend(),
-                                    [&](const ComponentSource& one) { return one.component_class == root; });
-    if (owner != result.rend()) owner->sections.push_back(i);
+    const auto known = std::find(kClasses.begin(), kClasses.end(), root);
+    if (known == kClasses.end()) continue;
+    std::size_t& owner = last[static_cast<std::size_t>(known - kClasses.begin())];
+    if (section.list && dot == std::string::npos) {
+      result.push_back({section.name, id_of(section, text), {i}});
+      owner = result.size();
+    } else if (dot != std::string::npos && owner > 0) {
+      result[owner - 1].sections.push_back(i);
+    }
   }
   return result;
 }

@@ -126,6 +126,7 @@ struct Watcher::Impl {
   websocket::stream<beast::tcp_stream> socket{io};
   beast::flat_buffer buffer;
   unsigned status = 0;
+  bool ended = false;
 };
 
 Watcher::Watcher(const Client& client, const std::string& target) : impl_(std::make_unique<Impl>()) {
@@ -157,6 +158,7 @@ std::optional<Watcher::Message> Watcher::next(double seconds) {
   impl_->buffer.clear();
   impl_->socket.async_read(impl_->buffer, [&](beast::error_code error, std::size_t) {
     done = true;
+    impl_->ended = error && error != boost::asio::error::operation_aborted;
     if (!error) message = Message{impl_->socket.got_binary(), beast::buffers_to_string(impl_->buffer.data())};
   });
   impl_->io.restart();
@@ -179,6 +181,12 @@ std::optional<nlohmann::ordered_json> Watcher::event(const std::string& name, do
     if (json.value("event", "") == name) return json;
   }
   return std::nullopt;
+}
+
+bool Watcher::ended_within(double seconds) {
+  while (next(seconds)) {
+  }
+  return impl_->ended;
 }
 
 bool Watcher::send(const std::string& text) {

@@ -66,6 +66,8 @@ class Watcher {
   std::optional<Message> next(double seconds = 10);
   /// The next text message that is an event of that name.
   std::optional<nlohmann::ordered_json> event(const std::string& name, double seconds = 20);
+  /// Whether the connection ends, waiting for it at most so long; messages are passed over.
+  bool ended_within(double seconds);
   /// False when the server has closed.
   bool send(const std::string& text);
 
