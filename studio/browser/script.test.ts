@@ -46,12 +46,6 @@ test('on the canvas a name that carries a script is text', async () => {
   await nothingCameOfIt(page);
 });
 
-test('the inspector shows it as text', async () => {
-  await page.locator('.box.class-acting', { hasText: kMarkup }).locator('.box-names').click({ position: { x: 4, y: 4 } });
-  await expect.poll(() => page.locator('.right').innerText()).toContain('onerror');
-  await nothingCameOfIt(page);
-});
-
 test('the problems show it as text', async () => {
   const head = page.locator('.problems-head');
   if ((await head.getAttribute('aria-expanded')) !== 'true') await head.click();
