@@ -1,5 +1,6 @@
 // make_seeds EXPERIMENTS FOLDER: good inputs for the fuzzers to start from, in FOLDER/toml, FOLDER/map, FOLDER/mcap and
-// FOLDER/link_binary, link_json and link_packets.
+// FOLDER/studio_edit, link_binary, link_json and link_packets.
+#include <array>
 #include <cstdio>
 
 #include "fuzz/link/script.h"
@@ -36,6 +37,31 @@ void seed_toml(const fs::path& experiments, const fs::path& folder) {
     const std::string name = entry.path().filename().string();
     const std::string of = entry.path().parent_path().filename().string();
     keep(folder / (of + "_" + name), reader_of(name) + read_file(entry.path()).value_or(""));
+  }
+}
+
+/// The shipped controllers, each with one of every operation of the page.
+void seed_studio_edit(const fs::path& experiments, const fs::path& folder) {
+  constexpr std::array kOperations = {
+      R"([{"op":"add","class":"acting","kind":"Escape","position":[10,20],"set":{"trigger_range_m":0.1}}])",
+      R"([{"op":"add","class":"sensation","id":"left","set":{"channel":"sonar_left.range"}}])",
+      R"([{"op":"remove","ids":["escape","avoid"]}])",
+      R"([{"op":"rename","id":"escape","to":"flee"}])",
+      R"([{"op":"set","id":"escape","key":"trigger_range_m","value":[1,2.5]},{"op":"set","id":"","key":"name","value":"n"}])",
+      R"([{"op":"unset","id":"escape","key":"trigger_range_m"}])",
+      R"([{"op":"connect","from":"escape.active@previous","id":"hold","port":"displaced_by","index":0}])",
+      R"([{"op":"disconnect","id":"arbiter","port":"commands","from":"avoid"},{"op":"disconnect","id":"escape","port":"left"}])",
+      R"([{"op":"reorder","id":"arbiter","port":"commands","order":["hold","avoid","escape"]}])",
+      R"([{"op":"move","positions":{"escape":[1,2],"avoid":[3,4]}}])",
+      R"([{"op":"paste","toml":"[[acting]]\nid = \"escape\"\nkind = \"Escape\"\nin.left = \"clear_left\"\n[layout]\nescape = [1, 2]\n","offset":[20,20]}])"};
+  for (const auto& entry : fs::recursive_directory_iterator(experiments)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with("controller") || entry.path().extension() != ".toml") continue;
+    const std::string of = entry.path().parent_path().filename().string();
+    const std::string text = read_file(entry.path()).value_or("");
+    for (std::size_t i = 0; i < kOperations.size(); ++i) {
+      keep(folder / fmt::format("{}_{}_{}", of, name, i), text + '\0' + kOperations[i]);
+    }
   }
 }
 
@@ -234,6 +260,7 @@ int main(int count, char** words) {
   if (count != 3) return 2;
   const ganglion::fs::path folder = words[2];
   ganglion::seed_toml(words[1], folder / "toml");
+  ganglion::seed_studio_edit(words[1], folder / "studio_edit");
   ganglion::seed_map(folder / "map");
   ganglion::seed_mcap(folder / "mcap");
   ganglion::seed_link(folder);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "ganglion/base/json_depth.h"
+
 namespace ganglion::plot {
 namespace {
 
@@ -95,6 +97,7 @@ void add_floor(Scene& scene, const Json& json) {
 }  // namespace
 
 std::optional<Json> parse_object(std::string_view text) {
+  if (!json_nests_within(text, kDeepestJson)) return std::nullopt;
   Json json = Json::parse(text, nullptr, false);
   if (!json.is_object()) return std::nullopt;
   return json;

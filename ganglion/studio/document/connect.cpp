@@ -25,14 +25,20 @@ std::string without_id(const std::string& message, const std::string& id) {
   return message.starts_with(id + ": ") ? message.substr(id.size() + 2) : message;
 }
 
+/// Of a drawing with thousands of components not every wire is tried one by one, which takes a look at all of them.
+constexpr std::size_t kMostLooks = 30'000;
+constexpr std::size_t kFewestTrials = 10;
+
 /// Tries wires on a drawing: each on a copy of its model, held against the same checks as a file.
 class Trial {
  public:
-  explicit Trial(const Drawing& drawing) : drawing_(drawing) {
+  explicit Trial(const Drawing& drawing)
+      : drawing_(drawing),
+        left_(std::max(kFewestTrials, kMostLooks / std::max<std::size_t>(1, drawing.unresolved.components.size()))) {
     if (drawing.robot) before_ = checked(drawing.unresolved, *drawing.robot);
   }
 
-  Connection run(const std::string& from, int component, int port) const {
+  Connection run(const std::string& from, int component, int port) {
     const ComponentModel& to = drawing_.unresolved.components[static_cast<std::size_t>(component)];
     const PortDescriptor& input = to.descriptor->ports[static_cast<std::size_t>(port)];
     Connection connection{to.id, std::string(input.name), from, {}};
@@ -40,6 +46,11 @@ class Trial {
       connection.reasons.emplace_back("the robot this is drawn for is not known");
       return connection;
     }
+    if (left_ == 0) {
+      connection.reasons.emplace_back("this drawing is too large to try every wire at once; ask for this one alone");
+      return connection;
+    }
+    --left_;
     ControllerModel model = drawing_.unresolved;
     if (!add(model.components[static_cast<std::size_t>(component)], input, port, from)) {
       connection.reasons.push_back(fmt::format("\"{}\" is wired to it already", from));
@@ -68,6 +79,7 @@ class Trial {
   }
 
   const Drawing& drawing_;
+  std::size_t left_;
   Messages before_;
 };
 
@@ -91,6 +103,38 @@ std::vector<bool> upstream_of(const ControllerModel& model, int from) {
     }
   }
   return seen;
+}
+
+/// The components that need `to` in their tick.
+std::vector<bool> downstream_of(const ControllerModel& model, int to) {
+  std::vector<std::vector<int>> takers(model.components.size());
+  for (std::size_t i = 0; i < takers.size(); ++i) {
+    for (const Wire& wire : model.components[i].wires) {
+      for (const Source& source : wire.sources) {
+        const bool within = source.kind == Source::Kind::Output || source.kind == Source::Kind::ModuleCommand;
+        if (within) takers[static_cast<std::size_t>(source.component)].push_back(static_cast<int>(i));
+      }
+    }
+  }
+  std::vector<bool> seen(takers.size(), false);
+  std::vector<int> open = {to};
+  while (!open.empty()) {
+    const auto at = static_cast<std::size_t>(open.back());
+    open.pop_back();
+    if (seen[at]) continue;
+    seen[at] = true;
+    open.insert(open.end(), takers[at].begin(), takers[at].end());
+  }
+  return seen;
+}
+
+/// All of a giver that a port looks at.
+std::string shape_of(const ComponentModel& giver, const OutputShape* output) {
+  std::string shape = fmt::format("{}", static_cast<int>(giver.component_class));
+  if (output == nullptr) return shape;
+  shape += fmt::format("|{}|{}|{}", output->unit, static_cast<int>(output->type), output->declared);
+  for (const std::string& element : output->elements) shape += "|" + element;
+  return shape;
 }
 
 bool is_input_of(const ComponentModel& component, std::size_t port) {
@@ -128,7 +172,7 @@ Connection may_connect(const Drawing& drawing, const std::string& from, const st
 }
 
 std::vector<Connection> targets_of(const Drawing& drawing, const std::string& from) {
-  const Trial trial(drawing);
+  Trial trial(drawing);
   const int giver = drawing.model.find(source_id(from));
   const ComponentModel* source = giver >= 0 ? &drawing.model.components[static_cast<std::size_t>(giver)] : nullptr;
   const std::vector<bool> upstream = upstream_of(drawing.model, giver);
@@ -160,16 +204,31 @@ std::vector<Connection> sources_for(const Drawing& drawing, const std::string& c
   const ComponentModel* to = index >= 0 ? &drawing.unresolved.components[static_cast<std::size_t>(index)] : nullptr;
   const PortDescriptor* input = to != nullptr && to->descriptor != nullptr ? to->descriptor->port(port) : nullptr;
   if (input == nullptr || !is_input(to->component_class, input->role)) return result;
-  const Trial trial(drawing);
+  Trial trial(drawing);
   const auto position = static_cast<int>(input - to->descriptor->ports.data());
-  const auto offer = [&](const std::string& text) { result.push_back(trial.run(text, index, position)); };
+  const std::vector<bool> downstream = downstream_of(drawing.model, index);
+  std::map<std::string, std::vector<std::string>> known;  // reasons by what of a giver they depend on
+  const auto offer = [&](std::size_t giver, const OutputShape* output, const std::string& text) {
+    const ComponentModel& from = drawing.model.components[giver];
+    const bool shared = same_for_its_kind(*input, &from, text) && !downstream[giver] && !wired_to(*to, position, text);
+    const std::string key = shared ? shape_of(from, output) : "";
+    const auto found = shared ? known.find(key) : known.end();
+    if (found != known.end()) {
+      result.push_back({component, port, text, found->second});
+      return;
+    }
+    result.push_back(trial.run(text, index, position));
+    if (shared && result.back().reasons.empty()) known[key] = {};  // reasons name the giver
+  };
   const bool hands_on = input->role == PortRole::Candidate || input->role == PortRole::Request;
-  for (const ComponentModel& giver : drawing.model.components) {
+  for (std::size_t i = 0; i < drawing.model.components.size(); ++i) {
+    const ComponentModel& giver = drawing.model.components[i];
     if (hands_on || giver.component_class == ComponentClass::Sensation) {
-      if (giver.component_class != ComponentClass::Sensation || !hands_on) offer(giver.id);
+      const OutputShape* output = giver.outputs.empty() ? nullptr : &giver.outputs.front();
+      if (giver.component_class != ComponentClass::Sensation || !hands_on) offer(i, output, giver.id);
       continue;
     }
-    for (const OutputShape& output : giver.outputs) offer(fmt::format("{}.{}", giver.id, output.name));
+    for (const OutputShape& output : giver.outputs) offer(i, &output, fmt::format("{}.{}", giver.id, output.name));
   }
   return result;
 }

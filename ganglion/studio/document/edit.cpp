@@ -25,6 +25,10 @@ constexpr std::array kOperations = {Named{"add", add_component},
                                     Named{"move", move},
                                     Named{"paste", paste}};
 
+/// Each operation goes through the text, which grows: together they may go through so much.
+constexpr std::size_t kMostBytes = std::size_t{64} << 20;
+constexpr std::size_t kMostText = std::size_t{8} << 20;
+
 Result<void> carry_out(Sheet& sheet, const Json& what, std::vector<std::string>& ids) {
   const auto name = text_in(what, "op");
   if (!name) return tl::unexpected<Error>(name.error());
@@ -42,7 +46,12 @@ Result<Edited> edit(std::string_view text, const Json& operations) {
   if (!operations.is_array()) return fail(ErrorCode::BadType, "operations must be a list");
   Sheet sheet{std::string(text)};
   Edited edited;
+  std::size_t bytes = 0;
   for (std::size_t i = 0; i < operations.size(); ++i) {
+    bytes += sheet.text().size();
+    if (sheet.text().size() > kMostText || (i > 0 && bytes > kMostBytes)) {
+      return fail_at({"", static_cast<int>(i)}, ErrorCode::TooLarge, "that is too much at once for a text so long");
+    }
     auto done = carry_out(sheet, operations[i], edited.ids);
     if (!done) return fail_at({"", static_cast<int>(i)}, done.error().code, "{}", done.error().message);
     sheet.commit();

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
+#include <unordered_map>
 
 #include "ganglion/base/text.h"
 #include "ganglion/studio/document/operations.h"
@@ -83,11 +83,15 @@ void place_boxes(Sheet& sheet, const std::vector<std::pair<std::string, std::str
   const auto layout = std::find_if(sections.begin(), sections.end(), [](const SectionSource& section) {
     return section.name == "layout" && !section.list;
   });
+  std::unordered_map<std::string_view, const MemberSource*> boxes;
+  if (layout != sections.end()) {
+    for (const MemberSource& box : layout->members) boxes.try_emplace(box.key, &box);
+  }
   std::string fresh;
   for (const auto& [id, position] : positions) {
-    const MemberSource* box = layout != sections.end() ? layout->member(id) : nullptr;
-    if (box != nullptr) {
-      sheet.replace(box->value, position);
+    const auto box = boxes.find(id);
+    if (box != boxes.end()) {
+      sheet.replace(box->second->value, position);
     } else {
       fresh += fmt::format("{} = {}\n", id, position);
     }
@@ -187,6 +191,11 @@ Result<void> move(Sheet& sheet, const Json& what, std::vector<std::string>&) {
 
 Result<std::string> copy(std::string_view text, const std::vector<std::string>& ids) {
   const Sheet sheet{std::string(text)};
+  std::unordered_map<std::string_view, std::string> boxes;
+  for (const SectionSource& section : sheet.map().sections) {
+    if (section.name != "layout") continue;
+    for (const MemberSource& box : section.members) boxes[box.key] += box.lines.of(sheet.text());
+  }
   std::string result, layout;
   for (const std::string& id : ids) {
     const auto component = component_in(sheet, Json{{"id", id}});
@@ -196,10 +205,7 @@ Result<std::string> copy(std::string_view text, const std::vector<std::string>& 
       result +=
           fmt::format("{}{}", result.empty() ? "" : "\n", Region{section.begin, section.body_end}.of(sheet.text()));
     }
-    for (const SectionSource& section : sheet.map().sections) {
-      const MemberSource* box = section.name == "layout" ? section.member(id) : nullptr;
-      if (box != nullptr) layout += box->lines.of(sheet.text());
-    }
+    if (const auto box = boxes.find(id); box != boxes.end()) layout += box->second;
   }
   if (!layout.empty()) result += "\n[layout]\n" + layout;
   return result;

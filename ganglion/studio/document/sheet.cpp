@@ -1,21 +1,19 @@
 #include "ganglion/studio/document/sheet.h"
 
 #include <algorithm>
-#include <unordered_set>
 
 namespace ganglion::studio {
 
 void Sheet::look() {
   map_ = map_source(text_);
   components_ = components_of(map_, text_);
+  by_id_.clear();
+  for (std::size_t i = 0; i < components_.size(); ++i) by_id_.try_emplace(components_[i].id, i);
 }
 
-const ComponentSource* Sheet::find(std::string_view id) const noexcept {
-  if (id.empty()) return nullptr;
-  for (const ComponentSource& component : components_) {
-    if (component.id == id) return &component;
-  }
-  return nullptr;
+const ComponentSource* Sheet::find(std::string_view id) const {
+  const auto found = id.empty() ? by_id_.end() : by_id_.find(std::string(id));
+  return found != by_id_.end() ? &components_[found->second] : nullptr;
 }
 
 std::vector<std::string> Sheet::ids() const {
@@ -25,16 +23,14 @@ std::vector<std::string> Sheet::ids() const {
 }
 
 std::string Sheet::free_id(const std::string& wanted) const {
-  const std::vector<std::string> known = ids();
-  const std::unordered_set<std::string> taken(known.begin(), known.end());
-  if (!taken.contains(wanted)) return wanted;
+  if (!by_id_.contains(wanted)) return wanted;
   std::size_t letters = wanted.size();  // "avoid_2" goes on with "avoid_3"
   while (letters > 0 && wanted[letters - 1] >= '0' && wanted[letters - 1] <= '9') --letters;
   const bool numbered = letters > 1 && letters < wanted.size() && wanted[letters - 1] == '_';
   const std::string stem = numbered ? wanted.substr(0, letters - 1) : wanted;
   for (int number = 2;; ++number) {
     std::string id = fmt::format("{}_{}", stem, number);
-    if (!taken.contains(id)) return id;
+    if (!by_id_.contains(id)) return id;
   }
 }
 

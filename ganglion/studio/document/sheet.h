@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "ganglion/base/result.h"
@@ -21,10 +22,10 @@ class Sheet {
   std::string take() noexcept { return std::move(text_); }
 
   /// Null where there is none.
-  const ComponentSource* find(std::string_view id) const noexcept;
+  const ComponentSource* find(std::string_view id) const;
   std::vector<std::string> ids() const;
   /// Whether the id is free, as a component and in the layout.
-  bool is_free(std::string_view id) const noexcept { return find(id) == nullptr; }
+  bool is_free(std::string_view id) const { return find(id) == nullptr; }
   /// `wanted`, or with the first number behind it that makes it free.
   std::string free_id(const std::string& wanted) const;
 
@@ -66,6 +67,7 @@ class Sheet {
   std::string text_;
   SourceMap map_;
   std::vector<ComponentSource> components_;
+  std::unordered_map<std::string, std::size_t> by_id_;  ///< The first of each id.
   std::vector<Change> changes_;
 };
 

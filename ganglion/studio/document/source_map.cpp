@@ -12,6 +12,11 @@ namespace {
 
 constexpr std::array<std::string_view, 5> kClasses = {"sensation", "sensing", "goal", "acting", "coordinator"};
 
+/// How often a text is looked through in vain before values that do not end near by are taken to end with their line:
+/// thousands of lists that are not closed must not take forever.
+constexpr std::size_t kMostWasted = 16;
+constexpr std::size_t kNear = 1000;
+
 bool is_bare(char c) noexcept {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
 }
@@ -128,17 +133,18 @@ class Scanner {
   /// To the end of a value. What is not closed ends with its line, so that one slip does not hide all that follows.
   void skip_value() {
     const std::size_t from = at_;
+    const std::string_view ahead = text_.substr(0, wasted_ < kMostWasted * text_.size() ? text_.size() : from + kNear);
     int depth = 0;
-    while (at_ < text_.size()) {
+    while (at_ < ahead.size()) {
       const char c = text_[at_];
       if (c == '"' || c == '\'') {
-        at_ = config::string_end(text_, at_);
+        at_ = config::string_end(ahead, at_);
         if (depth == 0) return;
         continue;
       }
       if (c == '#' && depth == 0) break;
       if (c == '#') {
-        at_ = config::comment_end(text_, at_);
+        at_ = config::comment_end(ahead, at_);
         continue;
       }
       if (c == '\n' && depth == 0) break;
@@ -146,7 +152,10 @@ class Scanner {
       ++at_;
       if ((c == ']' || c == '}') && --depth <= 0) return;
     }
-    if (depth > 0) at_ = std::min(text_.find('\n', from), text_.size());
+    if (depth > 0) {
+      wasted_ += at_ - from;
+      at_ = std::min(text_.find('\n', from), text_.size());
+    }
     while (at_ > from && (text_[at_ - 1] == ' ' || text_[at_ - 1] == '\t' || text_[at_ - 1] == '\r')) --at_;
   }
 
@@ -185,6 +194,7 @@ class Scanner {
 
   std::string_view text_;
   std::size_t at_ = 0;
+  std::size_t wasted_ = 0;    // looked through for the ends of values that have none
   std::size_t comments_ = 0;  // where the comments directly above this line begin
   int line_ = 1;
   SourceMap map_;
@@ -208,18 +218,20 @@ SourceMap map_source(std::string_view text) { return Scanner(text).run(); }
 
 std::vector<ComponentSource> components_of(const SourceMap& map, std::string_view text) {
   std::vector<ComponentSource> result;
+  std::array<std::size_t, kClasses.size()> last{};  // of each class, counted from 1
   for (std::size_t i = 0; i < map.sections.size(); ++i) {
     const SectionSource& section = map.sections[i];
-    if (section.list && std::find(kClasses.begin(), kClasses.end(), section.name) != kClasses.end()) {
-      result.push_back({section.name, id_of(section, text), {i}});
-      continue;
-    }
     const std::size_t dot = section.name.find('.');
-    if (dot == std::string::npos || result.empty()) continue;
     const std::string_view root = std::string_view(section.name).substr(0, dot);
-    const auto owner = std::find_if(result.rbegin(), result.rend(),
-                                    [&](const ComponentSource& one) { return one.component_class == root; });
-    if (owner != result.rend()) owner->sections.push_back(i);
+    const auto known = std::find(kClasses.begin(), kClasses.end(), root);
+    if (known == kClasses.end()) continue;
+    std::size_t& owner = last[static_cast<std::size_t>(known - kClasses.begin())];
+    if (section.list && dot == std::string::npos) {
+      result.push_back({section.name, id_of(section, text), {i}});
+      owner = result.size();
+    } else if (dot != std::string::npos && owner > 0) {
+      result[owner - 1].sections.push_back(i);
+    }
   }
   return result;
 }

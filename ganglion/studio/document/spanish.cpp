@@ -126,6 +126,9 @@ constexpr auto kPhrases = std::to_array<Phrase>({
     // operations of the studio
     {"there is no component \"{}\"{}", "no hay ningún componente \"{0}\"{1}"},
     {"there is no operation \"{}\"{}", "no hay ninguna operación \"{0}\"{1}"},
+    {"this drawing is too large to try every wire at once; ask for this one alone",
+     "este dibujo es demasiado grande para probar todos los cables a la vez; pregunte solo por este"},
+    {"that is too much at once for a text so long", "es demasiado a la vez para un texto tan largo"},
     {"\"{}\" is no file of this folder", "\"{0}\" no es un archivo de esta carpeta"},
     {"\"{}\" cannot be set so", "\"{0}\" no se puede fijar así"},
     {"\"{}\" is not set", "\"{0}\" no está fijado"},

@@ -5,7 +5,10 @@
 namespace ganglion::studio {
 namespace {
 
-constexpr int kMostRetries = 50;
+constexpr int kMostRetries = 20;
+/// Of a larger text only the first problem is told, and of one with more broken lines than this only so many.
+constexpr std::size_t kMostBytes = std::size_t{1} << 20;
+constexpr std::size_t kMostBroken = 1000;
 
 /// Makes a region white, line ends aside, so that places behind it stay as they are.
 void blank(std::string& text, Region region) {
@@ -14,15 +17,18 @@ void blank(std::string& text, Region region) {
   }
 }
 
-/// Blanks every header and member that cannot be read even by itself.
-void blank_broken(std::string& text, const SourceMap& map, const std::string& file_name, Problems& problems) {
+/// Blanks every header and member that cannot be read even by itself. False where these are too many.
+bool blank_broken(std::string& text, const SourceMap& map, const std::string& file_name, Problems& problems) {
+  std::size_t broken = 0;
   const auto look = [&](Region lines, int line) {
+    if (broken >= kMostBroken) return;
     auto alone = config::parse(lines.of(text), file_name);
     if (alone) return;
     Error error = alone.error();
     if (error.place.line > 0) error.place.line += line - 1;
     problems.add(std::move(error));
     blank(text, lines);
+    ++broken;
   };
   for (const SectionSource& section : map.sections) {
     if (section.line > 0) look(section.header, section.line);
@@ -30,6 +36,7 @@ void blank_broken(std::string& text, const SourceMap& map, const std::string& fi
       if (member.inline_key.empty()) look(member.lines, member.line);
     }
   }
+  return broken < kMostBroken;
 }
 
 /// The header or member on a line, or the last one before it.
@@ -50,12 +57,13 @@ config::Value parse_tolerantly(std::string_view text, const SourceMap& map, cons
                                Problems& problems) {
   auto value = config::parse(text, file_name);
   if (value) return std::move(*value);
-  if (value.error().code == ErrorCode::TooLarge) {
+  const config::Value nothing(config::Members{}, {file_name, 1, 1});
+  if (value.error().code == ErrorCode::TooLarge || text.size() > kMostBytes) {
     problems.add(value.error());
-    return config::Value(config::Members{}, {file_name, 1, 1});
+    return nothing;
   }
   std::string left(text);
-  blank_broken(left, map, file_name, problems);
+  if (!blank_broken(left, map, file_name, problems)) return nothing;
   for (int i = 0; i < kMostRetries; ++i) {  // what is wrong only together: a key that comes twice
     value = config::parse(left, file_name);
     if (value) return std::move(*value);
@@ -65,7 +73,7 @@ config::Value parse_tolerantly(std::string_view text, const SourceMap& map, cons
     blank(left, region);
     if (left == before) break;
   }
-  return config::Value(config::Members{}, {file_name, 1, 1});
+  return nothing;
 }
 
 }  // namespace ganglion::studio

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "ganglion/base/file.h"
 #include "ganglion/base/hash.h"
 #include "ganglion/base/text.h"
+#include "ganglion/studio/folder/beneath.h"
 
 namespace ganglion::studio {
 namespace {
@@ -16,6 +16,13 @@ constexpr std::string_view kDraftHead = "# draft of ganglion studio, based on ";
 
 bool below(const fs::path& path, const fs::path& root) {
   return std::mismatch(root.begin(), root.end(), path.begin(), path.end()).first == root.end();
+}
+
+/// Where a link below leads.
+fs::path real_of(const fs::path& file) {
+  std::error_code error;
+  const fs::path real = fs::weakly_canonical(file, error);
+  return error ? file : real;
 }
 
 fs::path draft_of(const fs::path& file) { return file.parent_path() / ("." + file.filename().string() + ".draft"); }
@@ -46,17 +53,19 @@ Result<Folder> Folder::open(const fs::path& root) {
   return Folder(real);
 }
 
-bool Folder::holds(const fs::path& path) const {
+std::optional<fs::path> Folder::inner(const fs::path& path) const {
   std::error_code error;
   const fs::path real = fs::weakly_canonical(path, error);
-  return !error && below(real, root_);
+  if (error || !below(real, root_)) return std::nullopt;
+  for (fs::path end = real; end != root_ && !fs::exists(end, error); end = end.parent_path()) {
+    if (fs::is_symlink(end, error)) return std::nullopt;  // to what is not there yet: it may come to be anywhere
+  }
+  return real.lexically_relative(root_);
 }
 
-std::string Folder::name_of(const fs::path& path) const {
-  std::error_code error;
-  const fs::path real = fs::weakly_canonical(path, error);
-  return !error && below(real, root_) ? real.lexically_relative(root_).generic_string() : std::string();
-}
+bool Folder::holds(const fs::path& path) const { return inner(path).has_value(); }
+
+std::string Folder::name_of(const fs::path& path) const { return inner(path).value_or(fs::path()).generic_string(); }
 
 Result<fs::path> Folder::resolve(std::string_view name) const {
   const auto refuse = [&] {
@@ -74,14 +83,35 @@ Result<fs::path> Folder::resolve(std::string_view name) const {
   return path;
 }
 
+std::optional<fs::path> Folder::seat(const fs::path& path) const {
+  const auto folder = inner(path.parent_path());
+  return folder ? std::optional((*folder / path.filename()).lexically_normal()) : std::nullopt;
+}
+
+Result<std::string> Folder::text_of(const fs::path& path, std::size_t max_bytes) const {
+  const auto place = seat(path);
+  if (!place) return fail(ErrorCode::NotFound, "there is no such file");
+  return read_beneath(root_, *place, max_bytes);
+}
+
+Result<void> Folder::put(const fs::path& path, std::string_view text) const {
+  const auto place = seat(path);
+  if (!place) return fail(ErrorCode::NotFound, "there is no such file");
+  return write_beneath(root_, *place, text);
+}
+
+void Folder::remove_draft(const fs::path& file) const {
+  if (const auto place = seat(draft_of(file))) remove_beneath(root_, *place);
+}
+
 Result<OpenedFile> Folder::read(std::string_view name) const {
   const auto path = resolve(name);
   if (!path) return tl::unexpected<Error>(path.error());
-  auto text = read_file(*path, kMaxText);
+  auto text = text_of(real_of(*path), kMaxText);
   if (!text) return fail(text.error().code, "\"{}\" {}", name, text.error().message);
   OpenedFile file{std::move(*text), "", std::nullopt};
   file.hash = text_hash(file.text);
-  const auto draft = read_file(draft_of(*path), kMaxText + 200);
+  const auto draft = text_of(draft_of(*path), kMaxText + 200);
   if (draft && draft->starts_with(kDraftHead)) {
     const std::size_t end = std::min(draft->find('\n'), draft->size() - 1);
     file.draft = OpenedFile::Draft{draft->substr(end + 1), draft->substr(kDraftHead.size(), end - kDraftHead.size())};
@@ -94,17 +124,17 @@ Result<tl::expected<std::string, Conflict>> Folder::save(std::string_view name, 
   const auto path = resolve(name);
   if (!path) return tl::unexpected<Error>(path.error());
   if (auto may = may_write(*path, text); !may) return tl::unexpected<Error>(may.error());
-  std::error_code error;
   Conflict now;
-  if (fs::exists(*path, error)) {
-    auto present = read_file(*path, kMaxText);
-    if (!present) return tl::unexpected<Error>(present.error());
+  auto present = text_of(real_of(*path), kMaxText);
+  if (present) {
     now = {text_hash(*present), std::move(*present)};
+  } else if (present.error().code != ErrorCode::NotFound) {
+    return fail(present.error().code, "\"{}\" {}", name, present.error().message);
   }
   using Saved = tl::expected<std::string, Conflict>;
   if (now.hash != based_on) return Saved(tl::unexpected<Conflict>(std::move(now)));
-  if (auto written = write_file(*path, text); !written) return tl::unexpected<Error>(written.error());
-  fs::remove(draft_of(*path), error);
+  if (auto written = put(real_of(*path), text); !written) return tl::unexpected<Error>(written.error());
+  remove_draft(*path);
   return Saved(text_hash(text));
 }
 
@@ -118,14 +148,13 @@ Result<void> Folder::autosave(std::string_view name, std::string_view text, cons
   if (!hash) return fail(ErrorCode::BadParameter, "\"based_on\" must be the hash of the text that was opened");
   std::error_code error;
   if (!fs::is_directory(path->parent_path(), error)) return fail(ErrorCode::NotFound, "there is no such folder");
-  return write_file(draft_of(*path), fmt::format("{}{}\n{}", kDraftHead, based_on, text));
+  return put(draft_of(*path), fmt::format("{}{}\n{}", kDraftHead, based_on, text));
 }
 
 Result<void> Folder::discard(std::string_view name) const {
   const auto path = resolve(name);
   if (!path) return tl::unexpected<Error>(path.error());
-  std::error_code error;
-  fs::remove(draft_of(*path), error);
+  remove_draft(*path);
   return {};
 }
 

@@ -53,8 +53,19 @@ class Folder {
   Result<void> discard(std::string_view name) const;
   bool has_draft(const std::filesystem::path& file) const;
 
+  /// The text of a path below that is no link itself, whatever links are put in its way meanwhile. Fails with NotFound,
+  /// Unreadable or TooLarge.
+  Result<std::string> text_of(const std::filesystem::path& path, std::size_t max_bytes) const;
+  /// Writes a path below, by renaming; no link leads the text out. Fails with NotFound or Unwritable.
+  Result<void> put(const std::filesystem::path& path, std::string_view text) const;
+
  private:
   explicit Folder(std::filesystem::path root) : root_(std::move(root)) {}
+  /// From the root on, links followed; none for what lies outside, or behind a link to what is not there.
+  std::optional<std::filesystem::path> inner(const std::filesystem::path& path) const;
+  /// The same of a path's folder; its last name is taken as it is, be it a link.
+  std::optional<std::filesystem::path> seat(const std::filesystem::path& path) const;
+  void remove_draft(const std::filesystem::path& file) const;
   std::filesystem::path root_;  ///< Canonical.
 };
 

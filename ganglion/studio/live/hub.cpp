@@ -8,7 +8,8 @@ namespace ganglion::studio {
 namespace {
 
 constexpr std::size_t kEvents = 20'000;  // kept for viewers that come back
-constexpr std::size_t kRowsAtOnce = 4;   // of a stream, of all that came since the last look
+constexpr std::size_t kEventBytes = std::size_t{64} << 20;
+constexpr std::size_t kRowsAtOnce = 4;  // of a stream, of all that came since the last look
 
 }  // namespace
 
@@ -206,7 +207,11 @@ void Hub::event(const std::string& name, Json content) {
   Json json = {{"type", "event"}, {"seq", ++seq_}, {"event", name}};
   json.update(content);
   events_.push_back({seq_, std::make_shared<const std::string>(dumped(json))});
-  if (events_.size() > kEvents) events_.pop_front();
+  event_bytes_ += events_.back().text->size();
+  while (events_.size() > kEvents || (event_bytes_ > kEventBytes && events_.size() > 1)) {
+    event_bytes_ -= events_.front().text->size();
+    events_.pop_front();
+  }
   wake();
 }
 

@@ -106,6 +106,7 @@ class Hub {
   std::string session_;
   std::uint64_t seq_ = 0;
   std::deque<Event> events_;
+  std::size_t event_bytes_ = 0;
   std::vector<Viewer*> viewers_;
   std::shared_ptr<LiveFeed> feed_;
   bool announced_ = false;

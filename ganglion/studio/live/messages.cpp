@@ -1,5 +1,7 @@
 #include "ganglion/studio/live/messages.h"
 
+#include "ganglion/base/json_depth.h"
+
 namespace ganglion::studio {
 namespace {
 
@@ -36,6 +38,7 @@ std::optional<RunEvent> event_of(std::string_view topic, std::string_view schema
 }
 
 Json parsed(std::string_view text) {
+  if (!json_nests_within(text, kDeepestJson)) return {};
   Json json = Json::parse(text, nullptr, false);
   return json.is_discarded() ? Json() : json;
 }

@@ -6,11 +6,14 @@
 #include <nlohmann/json.hpp>
 
 #include "ganglion/base/base64.h"
+#include "ganglion/base/json_depth.h"
 
 namespace ganglion::studio {
 namespace {
 
 using Json = nlohmann::json;
+
+constexpr double kMostCells = 1e9;
 
 static_assert(std::endian::native == std::endian::little, "samples are little-endian; swap bytes here");
 
@@ -32,9 +35,26 @@ std::string begin(SampleKind kind, const SampleHead& head, std::size_t payload) 
   return out;
 }
 
+/// What is no object, or nests too deep, becomes null.
+Json object_in(std::string_view text) {
+  return json_nests_within(text, kDeepestJson) ? Json::parse(text, nullptr, false) : Json();
+}
+
+const Json& member(const Json& object, const char* key) {
+  static const Json kNone;
+  const auto found = object.is_object() ? object.find(key) : object.end();
+  return found != object.end() ? *found : kNone;
+}
+
 double number(const Json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_number() ? found->get<double>() : 0;
+  const Json& found = member(object, key);
+  return found.is_number() ? found.get<double>() : 0;
+}
+
+/// 0 for what is no number of cells.
+std::uint32_t count(const Json& object, const char* key) {
+  const double value = number(object, key);
+  return value >= 1 && value <= kMostCells ? static_cast<std::uint32_t>(value) : 0;
 }
 
 }  // namespace
@@ -56,18 +76,21 @@ std::string_view name_of(SampleKind kind) noexcept {
 }
 
 bool GridState::take(std::string_view text, std::uint32_t seq) {
-  const Json json = Json::parse(text, nullptr, false);
+  const Json json = object_in(text);
   if (!json.is_object() || !json.contains("data") || !json["data"].is_string()) return false;
   const auto bytes = base64_bytes(json["data"].get_ref<const std::string&>());
-  const auto columns = static_cast<std::uint32_t>(number(json, "column_count"));
+  const std::uint32_t columns = count(json, "column_count");
   std::vector<std::string> layers;
   if (json.contains("fields") && json["fields"].is_array()) {
-    for (const Json& field : json["fields"]) layers.push_back(field.is_object() ? field.value("name", "") : "");
+    for (const Json& field : json["fields"]) {
+      const Json& name = member(field, "name");
+      layers.push_back(name.is_string() ? name.get<std::string>() : std::string());
+    }
   }
   if (!bytes || columns == 0 || layers.empty() || bytes->size() % (columns * layers.size()) != 0) return false;
-  const Json pose = json.value("pose", Json::object()), at = pose.value("position", Json::object());
+  const Json& at = member(member(json, "pose"), "position");
   const Vector2 origin{number(at, "x"), number(at, "y")};
-  const double cell_m = number(json.value("cell_size", Json::object()), "x");
+  const double cell_m = number(member(json, "cell_size"), "x");
   const auto rows = static_cast<std::uint32_t>(bytes->size() / columns / layers.size());
   const bool same = columns == columns_ && rows == rows_ && origin.x == origin_.x && origin.y == origin_.y &&
                     cell_m == cell_m_ && layers == layers_;
@@ -125,7 +148,7 @@ std::string row_sample(const SampleHead& head, std::uint32_t tick, std::span<con
 }
 
 std::optional<std::string> path_sample(const SampleHead& head, std::string_view text) {
-  const Json json = Json::parse(text, nullptr, false);
+  const Json json = object_in(text);
   if (!json.is_object() || !json.contains("points") || !json["points"].is_array()) return std::nullopt;
   const Json& points = json["points"];
   std::string out = begin(SampleKind::Path, head, 4 + points.size() * 16);

@@ -56,6 +56,8 @@ Reply Api::handle(const Call& call) {
     return (this->*answer)(ask);
   } catch (const nlohmann::json::exception&) {  // how the library says that a member is of another type
     return failure("BadRequest", "a member of the body is of another type than it should be", 400);
+  } catch (const std::bad_alloc&) {
+    return failure("TooLarge", "there is not enough memory for that", 413);
   }
 }
 
@@ -90,7 +92,7 @@ Reply Api::open_file(const Ask& ask) {
   const std::string name = ask.text("path");
   auto file = folder_.read(name);
   if (!file) return failure(file.error(), ask.language);
-  if (opened_.size() < 1000) opened_[name] = file->hash;
+  note_opened(name, file->hash);
   Json json = {{"path", name}, {"text", file->text}, {"hash", file->hash}, {"draft", nullptr}};
   if (file->draft) json["draft"] = {{"text", file->draft->text}, {"based_on", file->draft->based_on}};
   return json_reply(json);
@@ -108,7 +110,7 @@ Reply Api::save_file(const Ask& ask) {
     return failure("Conflict", "the file has changed since it was opened", 409,
                    {{"hash", now.hash}, {"text", now.text}});
   }
-  if (opened_.size() < 1000) opened_[name] = **saved;
+  note_opened(name, **saved);
   hooks_.on_hub([name, hash = **saved](Hub& hub) { hub.event("file", {{"path", name}, {"hash", hash}}); });
   return json_reply({{"hash", **saved}});
 }
@@ -124,6 +126,10 @@ Reply Api::autosave_file(const Ask& ask) {
 Reply Api::discard_draft(const Ask& ask) {
   const auto gone = folder_.discard(ask.text("path"));
   return gone ? json_reply(Json::object()) : failure(gone.error(), ask.language);
+}
+
+void Api::note_opened(const std::string& name, const std::string& hash) {
+  if (opened_.size() < 1000 || opened_.contains(name)) opened_[name] = hash;
 }
 
 void Api::look_for_changes() {

@@ -70,6 +70,7 @@ class Api {
   Reply pace_run(const Ask&);
   Reply answer(bool done);
   std::optional<Reply> refuse_command() const;
+  void note_opened(const std::string& name, const std::string& hash);
   Result<RunPlan> plan_of(const Ask&, const Prepared& prepared);
   std::optional<Reply> check_programs(const Experiment& experiment) const;
   void begin(std::shared_ptr<const Prepared> prepared, RunPlan plan);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <ctime>
 
-#include "ganglion/base/file.h"
 #include "ganglion/base/text.h"
 #include "ganglion/studio/document/source_map.h"
 #include "ganglion/studio/document/wording.h"
@@ -130,7 +129,7 @@ Reply Api::start_run(const Ask& ask) {
     instead.controller = *path;
     if (controller.contains("text") && controller["text"].is_string()) {
       drawn = path->parent_path() / ("." + path->filename().string() + ".running");
-      const auto written = write_file(drawn, controller["text"].get<std::string>());
+      const auto written = folder_.put(drawn, controller["text"].get<std::string>());
       if (!written) return failure(written.error(), ask.language);
       instead.controller = drawn;
     }

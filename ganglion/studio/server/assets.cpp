@@ -68,7 +68,7 @@ std::optional<Asset> Assets::from_folder(const std::string& path) const {
   if (!folder) return std::nullopt;
   const auto file = folder->resolve(path.substr(1));
   if (!file) return std::nullopt;
-  auto text = read_file(*file);
+  auto text = folder->text_of(*file, kMaxFileBytes);
   if (!text) return std::nullopt;
   return Asset{std::string(media_type(path)), std::move(*text), false};
 }

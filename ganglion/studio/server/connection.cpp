@@ -166,6 +166,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     head.host = view(request[http::field::host]);
     head.hosts = static_cast<int>(request.count(http::field::host));
     head.origin = view(request[http::field::origin]);
+    head.origins = static_cast<int>(request.count(http::field::origin));
     head.cookies = view(request[http::field::cookie]);
     head.authorization = view(request[http::field::authorization]);
     head.fetch_site = view(request["Sec-Fetch-Site"]);
@@ -183,6 +184,11 @@ class Connection : public std::enable_shared_from_this<Connection> {
                           verdict.why, verdict.status));
     }
     core_.connections.admit(id_);
+    const auto encoding = request[http::field::transfer_encoding];
+    if (!encoding.empty() && !beast::iequals(encoding, "chunked")) {
+      keep_ = false;  // where its body ends is not known
+      return send(failure("BadRequest", "of transfer encodings only chunked is known", 501));
+    }
     if (head.upgrade) return upgrade();
     if (beast::iequals(request[http::field::expect], "100-continue")) return go_on();
     read_body();

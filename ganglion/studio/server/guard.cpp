@@ -40,7 +40,8 @@ std::string without_token(std::string_view target) {
     result += separator + part;
     separator = '&';
   }
-  while (result.starts_with("//")) result.erase(0, 1);  // "//elsewhere" would lead to another host
+  // "//elsewhere" would lead to another host, and so would "/\\elsewhere": to a browser they are the same.
+  while (result.starts_with("//") || result.starts_with("/\\")) result.erase(1, 1);
   return result;
 }
 
@@ -63,11 +64,13 @@ Verdict judge(const GuardConfig& config, const RequestHead& head) {
   if (!script && !has_cookie(head.cookies, config.cookie, config.session)) {
     return {401, "open the URL that ganglion studio printed; it holds the key", ""};
   }
-  const bool own_page = head.origin == "http://" + std::string(head.host);
-  if ((!is_reading(head.method) || head.upgrade) && !own_page) {
+  const bool own_page = head.origins == 1 && head.origin == "http://" + std::string(head.host);
+  const bool no_page =
+      script && head.origins == 0;  // a browser names the page of every such request, a script has none
+  if ((!is_reading(head.method) || head.upgrade) && !own_page && !no_page) {
     return {403, "only this server's own page may ask for that: Origin must be http://" + std::string(head.host), ""};
   }
-  if (!head.origin.empty() && !own_page) return {403, "another page asked", ""};
+  if (head.origins > 0 && !own_page) return {403, "another page asked", ""};
   const bool own_fetch = head.fetch_site.empty() || head.fetch_site == "same-origin" || head.fetch_site == "none";
   if (!own_fetch) return {403, "another page asked", ""};
   return {};

@@ -27,6 +27,7 @@ struct RequestHead {
   std::string_view fetch_site;  ///< Sec-Fetch-Site
   bool upgrade = false;         ///< To a WebSocket.
   int hosts = 1;                ///< How many Host headers there are.
+  int origins = 0;              ///< How many Origin headers there are.
 };
 
 struct Verdict {
@@ -35,7 +36,7 @@ struct Verdict {
   std::string location;  ///< Of a 303: where to, with the cookie set.
 };
 
-/// The order: Host, then who asks, then from which page.
+/// The order: Host, then who asks, then from which page. Who shows the token in a header and names no page is a script.
 Verdict judge(const GuardConfig& config, const RequestHead& head);
 
 /// Hosts under which a server on this port may be asked: the names of this machine for itself, and `more` as given,

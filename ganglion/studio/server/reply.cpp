@@ -14,7 +14,8 @@ Reply failure(const Error& error, Language language, const Json& arguments) {
   unsigned status = 400;
   if (error.code == ErrorCode::NotFound) status = 404;
   if (error.code == ErrorCode::TooLarge) status = 413;
-  if (error.code == ErrorCode::Unreadable || error.code == ErrorCode::Unwritable) status = 500;
+  if (error.code == ErrorCode::Unreadable) status = 422;  // there, but no file: a folder, a pipe
+  if (error.code == ErrorCode::Unwritable) status = 507;  // the disk is full, or not ours to write
   return failure(name_of(error.code), worded(error.message, language), status, arguments);
 }
 

@@ -20,12 +20,12 @@ namespace {
 namespace beast = boost::beast;
 namespace websocket = beast::websocket;
 
-int connected(std::uint16_t port) {
+int connected(std::uint16_t port, const char* to = "127.0.0.1") {
   const int fd = ::socket(AF_INET, SOCK_STREAM, 0);
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_port = htons(port);
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  address.sin_addr.s_addr = ::inet_addr(to);
   if (fd >= 0 && ::connect(fd, reinterpret_cast<sockaddr*>(&address), sizeof address) != 0) {
     ::close(fd);
     return -1;
@@ -105,7 +105,7 @@ Answer Client::send(const std::string& method, const std::string& target, const 
   return talk(port, bytes + "\r\n" + body);
 }
 
-RawConnection::RawConnection(std::uint16_t port) : socket_(connected(port)) {}
+RawConnection::RawConnection(std::uint16_t port, const char* address) : socket_(connected(port, address)) {}
 RawConnection::RawConnection(RawConnection&& other) noexcept : socket_(std::exchange(other.socket_, -1)) {}
 RawConnection::~RawConnection() {
   if (socket_ >= 0) ::close(socket_);
@@ -126,6 +126,7 @@ struct Watcher::Impl {
   websocket::stream<beast::tcp_stream> socket{io};
   beast::flat_buffer buffer;
   unsigned status = 0;
+  bool ended = false;
 };
 
 Watcher::Watcher(const Client& client, const std::string& target) : impl_(std::make_unique<Impl>()) {
@@ -157,6 +158,7 @@ std::optional<Watcher::Message> Watcher::next(double seconds) {
   impl_->buffer.clear();
   impl_->socket.async_read(impl_->buffer, [&](beast::error_code error, std::size_t) {
     done = true;
+    impl_->ended = error && error != boost::asio::error::operation_aborted;
     if (!error) message = Message{impl_->socket.got_binary(), beast::buffers_to_string(impl_->buffer.data())};
   });
   impl_->io.restart();
@@ -179,6 +181,12 @@ std::optional<nlohmann::ordered_json> Watcher::event(const std::string& name, do
     if (json.value("event", "") == name) return json;
   }
   return std::nullopt;
+}
+
+bool Watcher::ended_within(double seconds) {
+  while (next(seconds)) {
+  }
+  return impl_->ended;
 }
 
 bool Watcher::send(const std::string& text) {

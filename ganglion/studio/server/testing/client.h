@@ -38,9 +38,10 @@ struct Client {
 /// An open connection of raw bytes.
 class RawConnection {
  public:
-  explicit RawConnection(std::uint16_t port);
+  explicit RawConnection(std::uint16_t port, const char* address = "127.0.0.1");
   ~RawConnection();
   RawConnection(RawConnection&&) noexcept;
+  bool is_open() const noexcept { return socket_ >= 0; }
   void write(const std::string& bytes);
   /// Whether the other side has closed, waiting for it at most so long.
   bool closed_within(double seconds);
@@ -65,6 +66,8 @@ class Watcher {
   std::optional<Message> next(double seconds = 10);
   /// The next text message that is an event of that name.
   std::optional<nlohmann::ordered_json> event(const std::string& name, double seconds = 20);
+  /// Whether the connection ends, waiting for it at most so long; messages are passed over.
+  bool ended_within(double seconds);
   /// False when the server has closed.
   bool send(const std::string& text);
 

@@ -1,0 +1,85 @@
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <fstream>
+
+#include "ganglion/base/file.h"
+#include "ganglion/studio/live/sample.h"
+#include "ganglion/studio/server/testing/bench.h"
+
+// What somebody who may ask could send to end the server or make it hang.
+namespace ganglion::studio {
+namespace {
+
+using Hostile = ServerTest;
+
+std::string repeated(const std::string& text, int times) {
+  std::string result;
+  for (int i = 0; i < times; ++i) result += text;
+  return result;
+}
+
+TEST_F(Hostile, SurvivesJsonNestedAHundredThousandDeep) {
+  const Client client = client_of();
+  const std::string list = repeated("[", 100'000) + repeated("]", 100'000);
+  const std::string object = repeated("{\"a\":", 100'000) + "1" + repeated("}", 100'000);
+  for (const std::string& deep : {list, object}) {
+    for (const char* path : {"/api/file/open", "/api/document/edit", "/api/document/copy", "/api/run/start"}) {
+      for (const std::string& body :
+           {deep, "{\"path\":\"controller.toml\",\"operations\":" + deep + ",\"ids\":" + deep + "}",
+            "{\"path\":\"controller.toml\",\"operations\":[{\"op\":\"set\",\"id\":\"\",\"key\":\"x\",\"value\":" +
+                deep + "}],\"set\":" + deep + "}"}) {
+        EXPECT_EQ(client.send("POST", path, body).status, 400u) << path;
+      }
+    }
+  }
+  EXPECT_EQ(client.get("/api/run").status, 200u);
+}
+
+TEST_F(Hostile, SaysWhatIsNoFileWithoutAFailureOfItsOwn) {
+  const Client client = client_of();
+  std::filesystem::create_directories(folder() / "x.toml");
+  ASSERT_EQ(::mkfifo((folder() / "pipe.toml").c_str(), 0600), 0);
+  for (const char* name : {"x.toml", "pipe.toml"}) {
+    EXPECT_EQ(client.post("/api/file/open", {{"path", name}}).status, 422u) << name;
+    EXPECT_EQ(client.post("/api/recording/open", {{"path", name}}).status, 422u) << name;
+  }
+  EXPECT_EQ(client.post("/api/file/save", {{"path", "controller.toml/x.toml"}, {"text", ""}, {"based_on", ""}}).status,
+            404u);
+}
+
+/// A text whose every line asks for a look at all that follows.
+TEST_F(Hostile, OpensTextsThatAreAllSlips) {
+  const Client client = client_of();
+  for (const std::string& line : {std::string("a = [\n"), std::string("a = { b = \n"), std::string("a = [ \"\"\" ' \n"),
+                                  std::string("garbage\n"), std::string("[goal.x]\n"), std::string("a = 1\n")}) {
+    const std::string text = "format = 1\n" + repeated(line, static_cast<int>(300'000 / line.size()));
+    EXPECT_EQ(client.post("/api/document/open", {{"path", "controller.toml"}, {"text", text}}).status, 200u) << line;
+  }
+}
+
+TEST_F(Hostile, RefusesAnEditThatWouldTakeForever) {
+  const Client client = client_of();
+  nlohmann::ordered_json operations = nlohmann::ordered_json::array();
+  for (int i = 0; i < 20'000; ++i) operations.push_back({{"op", "set"}, {"id", ""}, {"key", "name"}, {"value", i}});
+  const std::string text = "format = 1\n#" + std::string(1 << 20, 'x') + "\n";
+  const Answer answer =
+      client.post("/api/document/edit", {{"path", "controller.toml"}, {"text", text}, {"operations", operations}});
+  EXPECT_EQ(answer.status, 413u);
+  EXPECT_EQ(answer.json()["error"]["code"], "TooLarge");
+}
+
+TEST(HostileGrid, IsNoMap) {
+  GridState grid;
+  const std::string data = R"("data":"AAAA",)";
+  for (const char* rest :
+       {R"("column_count":-1,"fields":[{"name":"a"}]})", R"("column_count":1e300,"fields":[{"name":"a"}]})",
+        R"("column_count":1,"fields":[]})", R"("column_count":0.5,"fields":[{"name":"a"}]})"}) {
+    EXPECT_FALSE(grid.take("{" + data + rest, 1)) << rest;
+  }
+  EXPECT_TRUE(grid.take("{" + data + R"("column_count":1,"fields":[{"name":7}],"pose":"x","cell_size":[]})", 1));
+  EXPECT_FALSE(grid.take(repeated("[", 1'000'000), 1));
+}
+
+}  // namespace
+}  // namespace ganglion::studio
