@@ -45,8 +45,11 @@ async function configured(work: (dialog: Locator) => Promise<void>): Promise<voi
   onTestFailed(() => shot(page, 'failed_link'));
   await bar('Configure…').click();
   const dialog = page.getByRole('dialog');
-  await work(dialog);
-  await dialog.getByRole('button', { name: 'Done' }).click();
+  try {
+    await work(dialog);
+  } finally {
+    await dialog.getByRole('button', { name: 'Done' }).click();
+  }
 }
 
 async function tested(dialog: Locator): Promise<string[]> {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -19,15 +20,20 @@ class DrawnFile {
   DrawnFile& operator=(const DrawnFile&) = delete;
 
   const std::filesystem::path& path() const noexcept { return path_; }
-  Result<void> write() const { return write_file(path_, text_); }
+  Result<void> write() const {
+    there_ = true;
+    return write_file(path_, text_);
+  }
+  /// Once for each write(): by then the place may be another's.
   void remove() const noexcept {
     std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
+    if (there_.exchange(false)) std::filesystem::remove(path_, ignored);
   }
 
  private:
   std::filesystem::path path_;
   std::string text_;
+  mutable std::atomic<bool> there_ = false;
 };
 
 }  // namespace ganglion::studio

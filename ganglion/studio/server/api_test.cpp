@@ -240,6 +240,11 @@ TEST_F(Studio, RunsWhatIsDrawnWithoutSavingIt) {
   }
   EXPECT_EQ(state["outcome"]["digest"], first["digest"]);
   EXPECT_FALSE(std::filesystem::exists(left));
+  body["record"] = true;
+  const Answer third = client.post("/api/run/start", body);
+  while ((state = final_state(watcher)).is_object() && state["run"] != third.json()["run"]) {
+  }
+  EXPECT_TRUE(state["outcome"]["error"].is_null()) << state.dump() << "the run before took its own file only";
 }
 
 TEST_F(Studio, GoesOnForAViewerWhoComesBack) {
