@@ -135,8 +135,8 @@ async function commandPalette(page: Page, words: string): Promise<void> {
 }
 
 /** Tab to the element, as one without a mouse must; fails if Tab never comes there. */
-async function tabTo(page: Page, label: string): Promise<void> {
-  const wanted = page.getByLabel(label, { exact: true }).first();
+async function tabTo(page: Page, label: string, within = page.locator('body')): Promise<void> {
+  const wanted = within.getByLabel(label, { exact: true }).or(within.getByTitle(label, { exact: true })).first();
   for (let i = 0; i < 150; i += 1) {
     if (await wanted.evaluate((element) => element === document.activeElement)) return;
     await page.keyboard.press('Tab');
@@ -236,7 +236,7 @@ export const kKeyboard: Hand = {
     await tabTo(page, 'Application');
     await pick(page, 'Built-in');
     await page.keyboard.press('Escape');
-    await tabTo(page, 'Pace');
+    await tabTo(page, 'Pace', page.locator('.run-bar'));
     await pick(page, 'max');
     await onDrawing(page);
     await page.keyboard.press('F5');

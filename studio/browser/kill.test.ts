@@ -71,6 +71,7 @@ test('edits made while the server is away wait, visibly, and are sent when it is
   await field.locator('input').fill('3.5');
   await field.locator('input').press('Enter');
   await box(page, 'arbiter').locator('.box-names').click();
+  await page.locator('.right h2', { hasText: 'arbiter' }).waitFor();
   await press(page, 'Delete');
   await page.locator('.offline', { hasText: '2 changes wait' }).waitFor();
   await shot(page, 'not_connected');

@@ -143,7 +143,7 @@ test('a run of the command line is watched, not steered, and has the digest of o
   const experiment = join(studio.folder, 'nimrod', 'experiment.toml');
   const wanted = [experiment, '--seed', '3', '--set', 'run.duration_s=8', '--no-record'];
   const alone = JSON.parse(execFileSync(kProgram, ['run', ...wanted, '--json'], { encoding: 'utf8' }));
-  const child = spawn(kProgram, ['run', ...wanted, '--studio', '--json']);
+  const child = spawn(kProgram, ['run', ...wanted, '--studio', '--pace', '4', '--json']);
   let said = '';
   child.stdout.on('data', (data: Buffer) => {
     said += data.toString();

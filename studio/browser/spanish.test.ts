@@ -57,6 +57,7 @@ test('problems of a broken drawing', async () => {
   await run();
   await page.locator('.toast.bad').first().waitFor();
   await noEnglish('blocked');
+  await page.locator('.problems-head').click();
 });
 
 test('a refused wire', async () => {

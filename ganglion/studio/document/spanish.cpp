@@ -52,6 +52,8 @@ constexpr auto kPhrases = std::to_array<Phrase>({
     {"kind is missing{}", "falta kind{0}"},
     {"\"{}\" is a kind of {}; write it under [[{}]], not [[{}]]",
      "\"{0}\" es un tipo de {1}; escríbalo en [[{2}]], no en [[{3}]]"},
+    {"\"{}\" is no kind of {}; did you mean \"{}\"?", "\"{0}\" no es un tipo de {1}; ¿quiso decir \"{2}\"?"},
+    {"\"{}\" is no kind of {}; valid: {}", "\"{0}\" no es un tipo de {1}; válidos: {2}"},
     {"\"{}\" is no kind of {}", "\"{0}\" no es un tipo de {1}"},
     {"acting module", "módulo de actuación"},
     {"sensing module", "módulo de detección"},

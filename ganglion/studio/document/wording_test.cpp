@@ -27,6 +27,13 @@ TEST(Wording, LeavesWhatItDoesNotKnowAsItIs) {
             "robot is missing: name the robot.toml it is drawn for");
 }
 
+TEST(Wording, KnowsTheEndsOfSentences) {
+  EXPECT_EQ(spanish("\"Escpe\" is no kind of acting module; did you mean \"Escape\"?"),
+            "\"Escpe\" no es un tipo de módulo de actuación; ¿quiso decir \"Escape\"?");
+  EXPECT_EQ(spanish("the robot has no channel \"x\"; did you mean \"y\"?"),
+            "el robot no tiene el canal \"x\"; ¿quiso decir \"y\"?");
+}
+
 TEST(Wording, LeavesNamesAsTheyAre) {
   EXPECT_EQ(spanish("\"goal\" has no outputs"), "\"goal\" no tiene salidas") << "an id, not the class of goals";
 }
