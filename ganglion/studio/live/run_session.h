@@ -46,8 +46,9 @@ class RunSession {
   bool resume();
   /// Carries out so many ticks, then pauses.
   bool step(std::uint32_t ticks);
-  bool set_pace(double pace);
   bool stop();
+  /// Of a run that is over as well: should it be started again, it goes at that pace.
+  void set_pace(double pace);
   bool over() const;
 
   /// docs/studio_api.md, RunState.
