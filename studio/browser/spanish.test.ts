@@ -61,6 +61,7 @@ test('problems of a broken drawing', async () => {
 });
 
 test('a refused wire', async () => {
+  await page.reload(); // the view begins whole
   await open(page, 'nimrod/controller.toml');
   onTestFailed(() => shot(page, 'failed_spanish'));
   const to = page.locator('.box[data-component="escape"] [data-handleid="i:left"]');
