@@ -21,7 +21,7 @@ test('the simulation is configured: experiment, seed, connection tested, the rob
   await dialog.getByLabel('Experiment').selectOption('pathfinder/experiment.toml');
   await dialog.getByLabel('Seed').fill('3');
   await dialog.getByRole('button', { name: 'Test connection' }).click();
-  await dialog.getByText('The simulation is ready').waitFor();
+  await dialog.getByText('the simulation is ready').waitFor();
   await dialog.getByText('What the robot says of itself').waitFor();
   await dialog.getByLabel('Wait before the first tick').check();
   await shot(page, 'configure');

@@ -52,6 +52,8 @@ constexpr auto kPhrases = std::to_array<Phrase>({
     {"kind is missing{}", "falta kind{0}"},
     {"\"{}\" is a kind of {}; write it under [[{}]], not [[{}]]",
      "\"{0}\" es un tipo de {1}; escríbalo en [[{2}]], no en [[{3}]]"},
+    {"\"{}\" is no kind of {}; did you mean \"{}\"?", "\"{0}\" no es un tipo de {1}; ¿quiso decir \"{2}\"?"},
+    {"\"{}\" is no kind of {}; valid: {}", "\"{0}\" no es un tipo de {1}; válidos: {2}"},
     {"\"{}\" is no kind of {}", "\"{0}\" no es un tipo de {1}"},
     {"acting module", "módulo de actuación"},
     {"sensing module", "módulo de detección"},
@@ -135,7 +137,10 @@ constexpr auto kPhrases = std::to_array<Phrase>({
     {"input \"{}\" is not wired", "la entrada \"{0}\" no está conectada"},
     {"no wire comes from \"{}\" to input \"{}\"", "ningún cable va de \"{0}\" a la entrada \"{1}\""},
     {"the pasted text holds no component", "el texto pegado no contiene ningún componente"},
-    // values; the most general at last
+});
+
+/// Values; the most general sentences.
+constexpr auto kGeneral = std::to_array<Phrase>({
     {"a number", "un número"},
     {"a whole number", "un número entero"},
     {"true or false", "true o false"},
@@ -159,6 +164,16 @@ constexpr auto kPhrases = std::to_array<Phrase>({
 
 }  // namespace
 
-std::span<const Phrase> spanish_phrases() noexcept { return kPhrases; }
+const std::vector<Phrase>& spanish_phrases() {
+  static const std::vector<Phrase> all = [] {
+    std::vector<Phrase> phrases(kPhrases.begin(), kPhrases.end());
+    const auto add = [&](std::span<const Phrase> more) { phrases.insert(phrases.end(), more.begin(), more.end()); };
+    add(spanish_of_files());
+    add(spanish_of_links());
+    add(kGeneral);
+    return phrases;
+  }();
+  return all;
+}
 
 }  // namespace ganglion::studio

@@ -1,6 +1,7 @@
 #include "ganglion/studio/live/messages.h"
 
 #include "ganglion/base/json_depth.h"
+#include "ganglion/studio/document/wording.h"
 
 namespace ganglion::studio {
 namespace {
@@ -34,6 +35,7 @@ std::optional<RunEvent> event_of(std::string_view topic, std::string_view schema
   content.erase("timestamp");
   content["time_s"] = time_s;
   if (goal) content["robot"] = robot_of(topic);
+  if (!goal) content["message_es"] = worded(content.value("message", ""), Language::Spanish);
   return RunEvent{goal ? "goal" : "log", std::move(content)};
 }
 

@@ -6,6 +6,7 @@
 #include "ganglion/plot/from_run_file.h"
 #include "ganglion/record/run_file.h"
 #include "ganglion/report/report.h"
+#include "ganglion/studio/document/wording.h"
 
 namespace ganglion::studio {
 namespace {
@@ -19,25 +20,46 @@ Json numbers(const std::vector<std::pair<std::string, double>>& measures) {
 }
 
 /// The report beside the run file. What cannot be drawn is said in the outcome; the run counts all the same.
-std::string write_report(const std::filesystem::path& run_file) {
+Result<void> write_report(const std::filesystem::path& run_file) {
   const auto file = RunFile::read(run_file);
-  if (!file) return file.error().text();
+  if (!file) return tl::unexpected<Error>(file.error());
   std::filesystem::path page = run_file;
   page.replace_extension(".html");
-  const auto written = report::write_report(plot::from_run_file(*file), page);
-  return written ? std::string() : written.error().text();
+  return report::write_report(plot::from_run_file(*file), page);
+}
+
+}  // namespace
+
+namespace {
+
+/// An error in both languages: {member: ..., member_es: ...}.
+void tell(Json& outcome, const std::string& member, Error error, bool with_place) {
+  outcome[member] = with_place ? error.text() : error.message;
+  error.message = worded(error.message, Language::Spanish);
+  outcome[member + "_es"] = with_place ? error.text() : error.message;
+}
+
+/// The run words what it says itself; what the robot's end of a link says is in our dictionary.
+std::string spanish_reason(const RunResult& result) {
+  std::string reason = result.reason_es;
+  if (!result.link_lost) return reason;
+  const std::size_t at = reason.find(result.link_lost->message);
+  if (at == std::string::npos) return reason;
+  return reason.replace(at, result.link_lost->message.size(), worded(result.link_lost->message, Language::Spanish));
 }
 
 }  // namespace
 
 Json outcome_json(const RunResult& result, const std::string& file) {
-  return {{"success", result.success},
-          {"reason", result.reason},
-          {"reason_es", result.reason_es},
-          {"digest", result.digest},
-          {"measures", numbers(result.measures)},
-          {"file", file},
-          {"error", result.record_error ? Json(result.record_error->text()) : Json()}};
+  Json outcome = {{"success", result.success},
+                  {"reason", result.reason},
+                  {"reason_es", spanish_reason(result)},
+                  {"digest", result.digest},
+                  {"measures", numbers(result.measures)},
+                  {"file", file},
+                  {"error", nullptr}};
+  if (result.record_error) tell(outcome, "error", *result.record_error, true);
+  return outcome;
 }
 
 RunSession::RunSession(std::string id, std::shared_ptr<const Prepared> prepared, RunPlan plan,
@@ -100,6 +122,7 @@ void RunSession::carry_out() {
   };
   options.armed = [this] {
     feed_->arm();
+    if (plan_.drawn) plan_.drawn->remove();
     std::unique_lock lock(mutex_);
     phase_ = "armed";
     changed_();
@@ -153,13 +176,16 @@ bool RunSession::between_ticks(double share) {
 
 void RunSession::conclude(const Result<RunResult>& result) {
   Json outcome;
+  if (plan_.drawn) plan_.drawn->remove();
   if (result) {
     outcome = outcome_json(*result, plan_.run_file.empty() ? "" : plan_.run_name);
     if (!plan_.run_file.empty() && !result->record_error) {
-      if (const std::string problem = write_report(plan_.run_file); !problem.empty()) outcome["error"] = problem;
+      if (const auto written = write_report(plan_.run_file); !written) tell(outcome, "error", written.error(), true);
     }
   } else {
-    outcome = {{"success", false}, {"reason", result.error().message}, {"error", result.error().text()}};
+    outcome = {{"success", false}};
+    tell(outcome, "reason", result.error(), false);
+    tell(outcome, "error", result.error(), true);
   }
   {
     const std::lock_guard lock(mutex_);

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "ganglion/run/run.h"
+#include "ganglion/studio/live/drawn_file.h"
 #include "ganglion/studio/live/feed.h"
 
 namespace ganglion::studio {
@@ -21,10 +22,11 @@ struct RunPlan {
   std::string experiment;  ///< Path, from the folder on.
   std::string controller;
   std::uint64_t seed = 1;
-  double pace = 1;                 ///< Times real time; 0 = as fast as can be.
-  bool paused = false;             ///< Waits before the first tick.
-  std::filesystem::path run_file;  ///< Empty: not recorded.
-  std::string run_name;            ///< The same from the folder on.
+  double pace = 1;                         ///< Times real time; 0 = as fast as can be.
+  bool paused = false;                     ///< Waits before the first tick.
+  std::filesystem::path run_file;          ///< Empty: not recorded.
+  std::string run_name;                    ///< The same from the folder on.
+  std::shared_ptr<const DrawnFile> drawn;  ///< Removed when the run has taken its files in. Null: none.
 };
 
 /// One run on a thread of its own, which can be paused, stepped and stopped between ticks. Commands may come from any

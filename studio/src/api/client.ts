@@ -1,4 +1,4 @@
-import type { Files, Kind, Language, Model, Operation, Recording, RunState } from './types';
+import type { Files, Kind, Language, LinkTest, Model, Operation, Recording, RunState } from './types';
 
 /** What the server refused, with its code: the page words codes it knows and shows the message of others. */
 export class ApiError extends Error {
@@ -80,6 +80,8 @@ export interface StartRun {
   record?: boolean;
   paused?: boolean;
   program?: string;
+  /** "" = the built-in simulation, whatever the experiment says. */
+  address?: string;
 }
 
 export interface Place {
@@ -107,6 +109,7 @@ export const api = {
     post<{ ok: boolean; reasons?: string[] }>('/api/document/may_connect', { ...place, from, to, port }),
   copy: (place: Place, ids: string[]) => post<{ toml: string }>('/api/document/copy', { ...place, ids }),
 
+  testLink: (run: StartRun) => post<{ test: LinkTest }>('/api/link/test', run),
   start: (run: StartRun) => post<{ run: string }>('/api/run/start', run),
   pause: () => post<{ state: RunState }>('/api/run/pause', {}),
   resume: () => post<{ state: RunState }>('/api/run/resume', {}),
@@ -118,5 +121,5 @@ export const api = {
   recording: (path: string) => post<Recording>('/api/recording/open', { path }),
   samples: async (path: string) => (await send('/api/recording/samples', { path })).arrayBuffer(),
   recordedController: (path: string) => post<{ text: string }>('/api/recording/controller', { path }),
-  reportUrl: (path: string) => `/api/recording/report?path=${encodeURIComponent(path)}`,
+  reportUrl: (path: string) => `/api/recording/report?path=${encodeURIComponent(path)}&language=${language}`,
 };

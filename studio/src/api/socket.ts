@@ -9,6 +9,7 @@ export interface Listener {
 }
 
 const kTooFarBehind = 4001;
+const kLongestWait_ms = 1000;
 
 /** Keeps a connection: comes back by itself and asks for the events it missed. */
 export class Connection {
@@ -41,7 +42,7 @@ export class Connection {
       if (close.code === kTooFarBehind) this.session = '';
       this.listener.connected(false);
       setTimeout(() => this.open(), this.wait_ms);
-      this.wait_ms = Math.min(4000, this.wait_ms * 2);
+      this.wait_ms = Math.min(kLongestWait_ms, this.wait_ms * 2);
     };
   }
 

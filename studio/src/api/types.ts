@@ -153,6 +153,9 @@ export interface Files {
     world: string;
     duration_s: number;
     seed: number;
+    /** Where the file says that the robot is; "" = nowhere else. */
+    address: string;
+    program: boolean;
     problems: number;
   }[];
   worlds: { path: string; name: string }[];
@@ -163,10 +166,20 @@ export interface Files {
 export interface Outcome {
   success: boolean;
   reason: string;
+  reason_es: string;
   digest: string;
   measures: Record<string, number | null>;
   file: string;
-  error: string;
+  error: string | null;
+  error_es?: string;
+}
+
+/** A look at a robot: what was found so far. */
+export interface LinkTest {
+  test: string;
+  done: boolean;
+  good: boolean;
+  findings: { good: boolean; message: string }[];
 }
 
 export interface RunState {
@@ -265,12 +278,14 @@ export interface LogEvent {
   level: number;
   name: string;
   message: string;
+  message_es?: string;
 }
 
 export type StudioEvent =
   | { event: 'run'; state: RunState }
   | { event: 'streams'; streams: Stream[]; scene: Scene | null; info: Info | null; more?: boolean }
   | { event: 'file'; path: string; hash: string }
+  | ({ event: 'link' } & LinkTest)
   | GoalEvent
   | LogEvent;
 

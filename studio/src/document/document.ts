@@ -1,5 +1,6 @@
 import { create } from 'zustand';
 import { ApiError, api } from '../api/client';
+import { patiently } from '../api/presence';
 import type { Model, Operation } from '../api/types';
 import { share } from './share';
 
@@ -155,13 +156,16 @@ export interface EditOptions {
   selectMade?: boolean;
 }
 
-/** One gesture, one step. Resolves to the ids that were made; rejects with ApiError where the server refuses. */
+/** One gesture, one step. Resolves to the ids that were made; rejects with ApiError where the server refuses. While the
+ *  server is away it waits: nothing that was done is lost. */
 export function edit(operations: Operation[], options: EditOptions = {}): Promise<string[]> {
   if (operations.length === 0) return Promise.resolve([]);
   set((state) => ({ busy: state.busy + 1 }));
   return inTurn(async () => {
     try {
-      const answer = await api.edit(place(), operations);
+      const what = place();
+      const answer = await patiently(() => api.edit(what, operations));
+      if (get().path !== what.path) return [];
       const [first] = operations;
       push({
         text: answer.text,
@@ -245,12 +249,17 @@ export function save(): Promise<boolean> {
   return inTurn(async () => {
     const what = place();
     try {
-      const { hash } = await api.save(what, get().hash);
+      const { hash } = await patiently(() => api.save(what, get().hash));
       set({ savedText: what.text, hash, draft: null, conflict: null });
       return true;
     } catch (error) {
       if (!(error instanceof ApiError) || error.code !== 'Conflict') throw error;
-      set({ conflict: conflictOf(error.details) });
+      const conflict = conflictOf(error.details);
+      if (conflict.text === what.text && !conflict.gone) {  // it was saved, and the server ended before it could say so
+        set({ savedText: what.text, hash: conflict.hash, draft: null, conflict: null });
+        return true;
+      }
+      set({ conflict });
       return false;
     }
   });

@@ -1,4 +1,4 @@
-import { useEffect, useId, useState } from 'react';
+import { useEffect, useId, useRef, useState } from 'react';
 import type { ParameterDescriptor, Value } from '../api/types';
 import { useText } from '../text/text';
 import { useSettings } from '../theme/settings';
@@ -44,16 +44,21 @@ function TextInput({ id, about, given, ...props }: Props & { id: string; about: 
   const text = useText();
   const [words, setWords] = useState(shown(given));
   const [bad, setBad] = useState(false);
+  const sent = useRef<string | null>(null); // under way: leaving the field does not send it again
   useEffect(() => {
     setWords(shown(given));
     setBad(false);
+    sent.current = null;
   }, [given]);
   /** Enter writes a default out too, so that the file says it. */
   const commit = (pinned: boolean) => {
     if (words === shown(given) && !(pinned && props.value === undefined)) return setBad(false);
+    if (words === sent.current) return;
     const value = parsed(words, props.parameter.type);
     setBad(value === null);
-    if (value !== null) props.set(value);
+    if (value === null) return;
+    sent.current = words;
+    props.set(value);
   };
   return (
     <>

@@ -10,7 +10,7 @@ import { Inspector } from '../editor/inspector';
 import { Palette } from '../editor/palette';
 import { Problems } from '../editor/problems';
 import { TableView } from '../editor/table_view';
-import { RunBar } from '../run/run_bar';
+import { Outcome, RunBar } from '../run/run_bar';
 import { useText } from '../text/text';
 import { World } from '../world/world';
 import { Dialogs } from './dialogs';
@@ -93,6 +93,7 @@ function Centre() {
     <div className={`centre ${split ? 'split' : ''}`} id="centre">
       <Tabs panes={['drawing', 'table', 'world']} chosen={centre} />
       <Banners />
+      <Outcome />
       <div className="centre-body">
         {centre === 'table' ? <TableView /> : (centre === 'drawing' || split) && <Canvas />}
         {(centre === 'world' || split) && <World />}

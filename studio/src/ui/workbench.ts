@@ -35,7 +35,6 @@ interface Workbench {
   said: string;
   minimap: boolean;
   expanded: ReadonlySet<string>;
-  connected: boolean;
   tour: number | null;
   problemsOpen: boolean;
 }
@@ -50,7 +49,6 @@ export const useWorkbench = create<Workbench>(() => ({
   said: '',
   minimap: false,
   expanded: new Set(),
-  connected: true,
   tour: null,
   problemsOpen: false,
 }));

@@ -1,4 +1,5 @@
 import { useText } from '../text/text';
+import { useSettings } from '../theme/settings';
 import { player, usePlayer } from './player';
 
 const kMost = 60;
@@ -6,6 +7,7 @@ const kMost = 60;
 /** Goals and withdrawals: a click goes to their time. */
 export function Events() {
   const text = useText();
+  const spanish = useSettings((settings) => settings.language === 'es');
   const { timeline } = usePlayer();
   usePlayer((state) => state.end);
   if (!timeline) return null;
@@ -15,7 +17,7 @@ export function Events() {
   }));
   const logs = timeline.logs
     .filter((one) => one.level > 2)
-    .map((one) => ({ t: one.time_s, words: `${one.name}: ${one.message}` }));
+    .map((one) => ({ t: one.time_s, words: `${text.world.loggers[one.name] ?? one.name}: ${(spanish && one.message_es) || one.message}` }));
   const all = [...goals, ...logs].sort((a, b) => b.t - a.t).slice(0, kMost);
   if (all.length === 0) return null;
   return (
