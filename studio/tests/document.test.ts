@@ -1,4 +1,5 @@
 import { beforeEach, describe, expect, test, vi } from 'vitest';
+import { usePresence } from '../src/api/presence';
 import { startAutosave } from '../src/document/autosave';
 import {
   current,
@@ -43,6 +44,25 @@ describe('a document', () => {
   test('carries out edits that overlap one after the other', async () => {
     await Promise.all([add('a'), add('b'), add('c')]);
     expect(texts()).toEqual(['one', 'two', 'a', 'b', 'c']);
+  });
+
+  test('keeps edits while the server is away, shows that, and sends them in order when it is back', async () => {
+    const back = globalThis.fetch;
+    globalThis.fetch = () => Promise.reject(new TypeError('no server'));
+    const waiting = [add('a'), add('b')];
+    await vi.waitFor(() => expect(usePresence.getState().connected).toBe(false));
+    expect(useDocument.getState().busy).toBe(2);
+    globalThis.fetch = back;
+    await Promise.all(waiting);
+    expect(texts()).toEqual(['one', 'two', 'a', 'b']);
+    expect(usePresence.getState().connected).toBe(true);
+  });
+
+  test('takes a file that holds the very text as saved: the server ended before it could say so', async () => {
+    await add('a');
+    server.files.set('a.toml', current()?.text ?? '');
+    expect(await save()).toBe(true);
+    expect(isDirty()).toBe(false);
   });
 
   test('makes one step of key presses that follow each other', async () => {
