@@ -1,5 +1,7 @@
 #include "ganglion/studio/live/messages.h"
 
+#include "ganglion/run/interference.h"
+
 namespace ganglion::studio {
 namespace {
 
@@ -25,14 +27,14 @@ std::optional<SampleKind> sample_kind_of(std::string_view schema) noexcept {
 
 std::optional<RunEvent> event_of(std::string_view topic, std::string_view schema, double time_s,
                                  std::string_view json) {
-  const bool goal = schema == "ganglion.Goal";
-  if (!goal && schema != "foxglove.Log") return std::nullopt;
+  const bool goal = schema == "ganglion.Goal", intervention = schema == kInterventionSchema;
+  if (!goal && !intervention && schema != "foxglove.Log") return std::nullopt;
   Json content = parsed(json);
   if (!content.is_object()) return std::nullopt;
   content.erase("timestamp");
   content["time_s"] = time_s;
   if (goal) content["robot"] = robot_of(topic);
-  return RunEvent{goal ? "goal" : "log", std::move(content)};
+  return RunEvent{goal ? "goal" : intervention ? "intervention" : "log", std::move(content)};
 }
 
 Json parsed(std::string_view text) {

@@ -68,6 +68,9 @@ class Api {
   Reply stop_run(const Ask&);
   Reply reset_run(const Ask&);
   Reply pace_run(const Ask&);
+  Reply set_goal(const Ask&);
+  Reply put_obstacle(const Ask&);
+  Reply intervene(const Ask& ask, sim::Intervention what);
   Reply answer(bool done);
   std::optional<Reply> refuse_command() const;
   Result<RunPlan> plan_of(const Ask&, const Prepared& prepared);

@@ -241,6 +241,8 @@ export interface RobotInfo {
     cone_rad: number;
     max_range_m: number;
     signal: string;
+    /** Of a trainer: the side of the cells that its goals are. */
+    cell_m?: number;
   }[];
 }
 
@@ -261,6 +263,18 @@ export interface GoalEvent {
   reason: string;
 }
 
+/** Somebody reached into the running world: set a goal, or put an obstacle elsewhere. */
+export interface InterventionEvent {
+  event: 'intervention';
+  time_s: number;
+  tick: number;
+  what: 'goal' | 'obstacle';
+  robot?: number;
+  mover?: string;
+  x_m: number;
+  y_m: number;
+}
+
 export interface LogEvent {
   event: 'log';
   time_s: number;
@@ -274,6 +288,7 @@ export type StudioEvent =
   | { event: 'streams'; streams: Stream[]; scene: Scene | null; info: Info | null; more?: boolean }
   | { event: 'file'; path: string; hash: string }
   | GoalEvent
+  | InterventionEvent
   | LogEvent;
 
 export interface Hello {
@@ -292,7 +307,7 @@ export interface Recording {
   info: Info;
   scene: Scene | null;
   streams: Stream[];
-  events: (GoalEvent | LogEvent)[];
+  events: (GoalEvent | InterventionEvent | LogEvent)[];
   duration_s: number;
   run: RunFile;
   damages: string[];

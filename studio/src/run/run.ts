@@ -98,8 +98,10 @@ function takeEvent(event: StudioEvent): void {
       if (event.state === 'reached') say(text().run.goal_reached);
       get().live?.addEvent(event);
       break;
+    case 'intervention':
     case 'log':
       get().live?.addEvent(event);
+      player.wake();
       break;
     case 'file':
       set((run) => ({ filesVersion: run.filesVersion + 1 }));

@@ -1,5 +1,5 @@
 import type { GridChange, Sample } from '../api/samples';
-import type { GoalEvent, Info, LogEvent, Scene, Stream } from '../api/types';
+import type { GoalEvent, Info, InterventionEvent, LogEvent, Scene, Stream } from '../api/types';
 
 /** Index of the last entry not later than t; -1 before the first. `times` ascends. */
 export function indexAt(times: readonly number[], t: number): number {
@@ -101,6 +101,7 @@ export class Timeline {
   readonly movers = new Track<Mover[]>();
   readonly goals: GoalEvent[] = [];
   readonly logs: LogEvent[] = [];
+  readonly interventions: InterventionEvent[] = [];
   end = 0;
   private readonly takers = new Map<number, (sample: Sample) => void>();
 
@@ -148,9 +149,13 @@ export class Timeline {
     this.end = Math.max(this.end, sample.t);
   }
 
-  addEvent(event: GoalEvent | LogEvent): void {
+  addEvent(event: GoalEvent | InterventionEvent | LogEvent): void {
     if (event.event === 'goal') this.goals.push(event);
-    else this.logs.push(event);
+    else if (event.event === 'log') this.logs.push(event);
+    else {
+      this.interventions.push(event);
+      this.end = Math.max(this.end, event.time_s); // it is told at once, before the tick it counts for
+    }
   }
 
   /** A robot's value at a time; NaN where there is none. */
