@@ -77,8 +77,10 @@ bool RunSession::resume() {
 bool RunSession::step(std::uint32_t ticks) {
   return change([&] { paused_ = true, steps_ += ticks; });
 }
-bool RunSession::set_pace(double pace) {
-  return change([&] { plan_.pace = pace; });
+void RunSession::set_pace(double pace) {
+  if (change([&] { plan_.pace = pace; })) return;
+  plan_.pace = pace;  // its thread is done with it
+  changed_();
 }
 bool RunSession::stop() {
   return change([this] { stop_ = true; });

@@ -49,8 +49,9 @@ class RunSession {
   bool resume();
   /// Carries out so many ticks, then pauses.
   bool step(std::uint32_t ticks);
-  bool set_pace(double pace);
   bool stop();
+  /// Of a run that is over as well: should it be started again, it goes at that pace.
+  void set_pace(double pace);
   bool over() const;
   /// Has something done to the running world before its next tick, also while the run is held, and waits until that is
   /// done or refused. Fails with what the simulation says, with NotRunning where no tick will come, or with TooLarge

@@ -226,7 +226,8 @@ Reply Api::pace_run(const Ask& ask) {
   const double pace = ask.number("pace", -1);
   if (!(pace >= 0 && pace <= 1e6))
     return failure("BadParameter", "pace must be a number >= 0; 0 = as fast as can be", 400);
-  return answer(session_ && session_->set_pace(pace));
+  if (session_) session_->set_pace(pace);
+  return answer(session_ != nullptr);
 }
 
 /// The same run from the start, in a new file.

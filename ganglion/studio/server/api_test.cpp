@@ -223,7 +223,10 @@ TEST_F(Studio, StopsAndResets) {
   client.post("/api/run/start", short_run(R"({"paused":true})"));
   client.post("/api/run/stop", {});
   EXPECT_TRUE(final_state(watcher)["outcome"]["reason"].get<std::string>().starts_with("interrupted"));
-  ASSERT_EQ(client.post("/api/run/reset", {}).status, 200u);
+  ASSERT_EQ(client.post("/api/run/pace", {{"pace", 50}}).status, 200u);
+  const Answer reset = client.post("/api/run/reset", {});
+  ASSERT_EQ(reset.status, 200u);
+  EXPECT_EQ(reset.json()["state"]["pace"], 50) << "as was chosen between the two";
   ASSERT_TRUE(watcher.event("streams"));
   client.post("/api/run/resume", {});
   EXPECT_EQ(final_state(watcher)["share"], 1.0);

@@ -32,7 +32,7 @@ function Pace() {
   const state = useRun((state) => state.state?.state);
   const set = (value: number) => {
     configure({ pace: value });
-    if (state === 'running' || state === 'paused' || state === 'armed') api.pace(value).catch(complain);
+    if (state && state !== 'idle') api.pace(value).catch(complain);
   };
   return (
     <label>
