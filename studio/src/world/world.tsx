@@ -150,7 +150,6 @@ export function World() {
       <div className="world-frame">
         <canvas ref={canvas} role="img" aria-label={text.world.canvas} {...hand} />
         {!timeline && <p className="world-empty">{text.world.empty}</p>}
-        <Hint />
         <Tools view={view} layer={layer} layers={layers} setLayer={setLayer} />
       </div>
       {timeline && (
@@ -158,6 +157,7 @@ export function World() {
           <TimeBar />
           <div className="world-about">
             <Spoken />
+            <Hint />
             <Drives />
             <Legend timeline={timeline} />
             <Events />
