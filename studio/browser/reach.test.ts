@@ -124,6 +124,7 @@ test('a drag into a wall is refused with the reason; escape lets go', async () =
   await drag(page, [5.75, 9.25], [8, 8.5]);
   await page.mouse.up();
   await page.locator('.toast.bad').getByText('a wall or something solid is there').waitFor();
+  await page.locator('.toast.bad button').first().click();
   await drag(page, [5.75, 9.25], [5.25, 9.25]);
   await page.keyboard.press('Escape');
   await page.mouse.up();
@@ -181,5 +182,5 @@ test('the recorded run tells of it all, and nothing can be reached in it', async
   await events().getByText('by hand: crate_1 to 5.7').click();
   await expect.poll(() => colourAt(page, 5.85, 9.35)).toBe(kMover);
   await shot(page, 'reach_recorded');
-  expect(await page.locator('.toast.bad').count()).toBe(0);
+  expect(await page.locator('.toast.bad', { hasText: 'no room for the robot' }).count()).toBe(0);
 });
