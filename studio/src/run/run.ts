@@ -97,11 +97,14 @@ function takeEvent(event: StudioEvent): void {
     case 'goal':
       if (event.state === 'reached') say(text().run.goal_reached);
       get().live?.addEvent(event);
+      player.tellEvent();
       break;
     case 'intervention':
+      get().live?.addEvent(event);
+      player.tellEvent();
+      break;
     case 'log':
       get().live?.addEvent(event);
-      player.wake();
       break;
     case 'file':
       set((run) => ({ filesVersion: run.filesVersion + 1 }));

@@ -8,7 +8,6 @@ const kMost = 60;
 export function Events() {
   const text = useText();
   const { timeline } = usePlayer();
-  usePlayer((state) => state.end);
   if (!timeline) return null;
   const goals = timeline.goals.map((one) => ({
     t: one.time_s,
