@@ -137,6 +137,33 @@ constexpr auto kPhrases = std::to_array<Phrase>({
     {"input \"{}\" is not wired", "la entrada \"{0}\" no está conectada"},
     {"no wire comes from \"{}\" to input \"{}\"", "ningún cable va de \"{0}\" a la entrada \"{1}\""},
     {"the pasted text holds no component", "el texto pegado no contiene ningún componente"},
+    // reaching into a running world
+    {"the run is not going; nothing can be done to its world now",
+     "la ejecución no está en marcha; ahora no se puede hacer nada en su mundo"},
+    {"the present tick takes too long; nothing was done", "el ciclo actual tarda demasiado; no se hizo nada"},
+    {"{} others wait to be done", "hay otras {0} en espera"},
+    {"robot must be a whole number from 0 on", "robot debe ser un número entero desde 0"},
+    {"x_m and y_m must be numbers", "x_m e y_m deben ser números"},
+    {"the robots are at the other end of a link; goals and obstacles can only be set in a world that is simulated here",
+     "los robots están al otro extremo de un enlace; solo se pueden fijar objetivos y obstáculos en un mundo simulado "
+     "aquí"},
+    {"there is no robot {}: they are numbered from 0 to {}", "no existe el robot {0}: se numeran de 0 a {1}"},
+    {"the robot has no trainer that could set it a goal",
+     "el robot no tiene ningún entrenador que le fije un objetivo"},
+    {"({}, {}) lies outside of the world, from ({}, {}) to ({}, {})",
+     "({0}, {1}) está fuera del mundo, que va de ({2}, {3}) a ({4}, {5})"},
+    {"cell ({}, {}) at ({}, {}) cannot be a goal: there is no room for the robot at its centre",
+     "la celda ({0}, {1}) en ({2}, {3}) no puede ser el objetivo: el robot no cabe en su centro"},
+    {"cell ({}, {}) at ({}, {}) is the goal already", "la celda ({0}, {1}) en ({2}, {3}) ya es el objetivo"},
+    {"{} goals have been set in this run; the limit is {}",
+     "ya se fijaron {0} objetivos en esta ejecución; el límite es {1}"},
+    {"\"{}\" of robot {} is broken since {} s: it would tell nobody of the goal",
+     "\"{0}\" del robot {1} está averiado desde {2} s: no comunicaría el objetivo a nadie"},
+    {"the world has no mover \"{}\"{}", "el mundo no tiene el obstáculo móvil \"{0}\"{1}"},
+    {"\"{}\" cannot stand at ({}, {}): {}", "\"{0}\" no puede estar en ({1}, {2}): {3}"},
+    {"a wall or something solid is there", "hay una pared o algo sólido"},
+    {"robot {} is there", "está el robot {0}"},
+    {"\"{}\" is there", "está \"{0}\""},
 });
 
 /// Values; the most general sentences.

@@ -12,6 +12,8 @@ namespace ganglion::studio {
 namespace {
 
 constexpr auto kMeasure = std::chrono::milliseconds(500);
+constexpr auto kPatience = std::chrono::seconds(5);  // for a tick to end
+constexpr std::size_t kMostWishes = 16;
 
 Json numbers(const std::vector<std::pair<std::string, double>>& measures) {
   Json json = Json::object();
@@ -55,6 +57,7 @@ Json outcome_json(const RunResult& result, const std::string& file) {
                   {"reason", result.reason},
                   {"reason_es", spanish_reason(result)},
                   {"digest", result.digest},
+                  {"interventions", result.interventions},
                   {"measures", numbers(result.measures)},
                   {"file", file},
                   {"error", nullptr}};
@@ -110,6 +113,47 @@ bool RunSession::over() const {
   return phase_ == "done";
 }
 
+Result<sim::Intervened> RunSession::intervene(const sim::Intervention& what) {
+  if (prepared_->experiment.link.remote()) {
+    return fail(ErrorCode::Unsupported,
+                "the robots are at the other end of a link; goals and obstacles can only be set in a world that is "
+                "simulated here");
+  }
+  Wish wish{&what, std::nullopt};
+  std::unique_lock lock(mutex_);
+  if (!reachable_) return fail(ErrorCode::BadParameter, "{}", kNoTickToCome);
+  if (wishes_.size() >= kMostWishes) return fail(ErrorCode::TooLarge, "{} others wait to be done", wishes_.size());
+  wishes_.push_back(&wish);
+  wake_.notify_all();
+  const auto answered = [&] { return wish.answer.has_value(); };
+  if (!answered_.wait_for(lock, kPatience, answered)) {
+    if (std::erase(wishes_, &wish) > 0) return fail(ErrorCode::BadParameter, "{}", kTickTooLong);
+    answered_.wait(lock, answered);  // it is being done
+  }
+  return *wish.answer;
+}
+
+/// Between ticks: does what others wait for.
+void RunSession::grant(std::unique_lock<std::mutex>& lock) {
+  while (!wishes_.empty()) {
+    Wish& wish = *wishes_.front();
+    wishes_.pop_front();
+    lock.unlock();
+    auto answer = reach_(*wish.what);
+    lock.lock();
+    wish.answer = std::move(answer);
+    answered_.notify_all();
+  }
+}
+
+void RunSession::refuse_wishes() {
+  const std::lock_guard lock(mutex_);
+  reachable_ = false;
+  for (Wish* wish : wishes_) wish->answer = fail(ErrorCode::BadParameter, "{}", kNoTickToCome);
+  wishes_.clear();
+  answered_.notify_all();
+}
+
 void RunSession::carry_out() {
   RunOptions options;
   options.seed = plan_.seed;
@@ -120,11 +164,13 @@ void RunSession::carry_out() {
     const std::lock_guard lock(mutex_);
     return stop_;
   };
+  options.reach = [this](Reach reach) { reach_ = std::move(reach); };
   options.armed = [this] {
     feed_->arm();
     if (plan_.drawn) plan_.drawn->remove();
     std::unique_lock lock(mutex_);
     phase_ = "armed";
+    reachable_ = true;
     changed_();
     due_ = measured_at_ = Clock::now();
     const bool begins = wait(lock);
@@ -133,6 +179,7 @@ void RunSession::carry_out() {
     return begins;
   };
   const auto result = run(*prepared_, options);
+  refuse_wishes();
   while (!feed_->flush()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   conclude(result);
 }
@@ -141,10 +188,11 @@ void RunSession::carry_out() {
 bool RunSession::wait(std::unique_lock<std::mutex>& lock) {
   bool told = false;
   while (!stop_) {
+    grant(lock);
     if (paused_ && steps_ == 0) {
       if (!told) changed_();  // it stands still now
       told = true;
-      wake_.wait(lock);
+      if (!stop_ && wishes_.empty()) wake_.wait(lock);
       due_ = Clock::now();
       continue;
     }

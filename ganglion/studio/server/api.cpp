@@ -36,6 +36,8 @@ const std::map<std::string, std::pair<std::string_view, Api::Route>>& Api::route
       {"/api/run/stop", {"POST", &Api::stop_run}},
       {"/api/run/reset", {"POST", &Api::reset_run}},
       {"/api/run/pace", {"POST", &Api::pace_run}},
+      {"/api/run/goal", {"POST", &Api::set_goal}},
+      {"/api/run/obstacle", {"POST", &Api::put_obstacle}},
       {"/api/recording/open", {"POST", &Api::open_recording}},
       {"/api/recording/samples", {"POST", &Api::recording_samples}},
       {"/api/recording/report", {"GET", &Api::recording_report}},

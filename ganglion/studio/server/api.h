@@ -76,6 +76,9 @@ class Api {
   Reply answer(const Ask&, bool done);
   std::optional<Reply> refuse_command(const Ask&) const;
   void note_opened(const std::string& name, const std::string& hash);
+  Reply set_goal(const Ask&);
+  Reply put_obstacle(const Ask&);
+  Reply intervene(const Ask& ask, sim::Intervention what);
   Result<RunPlan> plan_of(const Ask&, const Prepared& prepared);
   Result<void> read_files(const Ask&, Wanted& wanted) const;
   std::optional<Reply> read_sets(const Ask&, Wanted& wanted) const;

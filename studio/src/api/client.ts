@@ -84,6 +84,13 @@ export interface StartRun {
   address?: string;
 }
 
+/** Where a goal or an obstacle went. */
+export interface Reached {
+  x_m: number;
+  y_m: number;
+  reachable: boolean;
+}
+
 export interface Place {
   path: string;
   text: string;
@@ -117,6 +124,10 @@ export const api = {
   stop: () => post<{ state: RunState }>('/api/run/stop', {}),
   reset: () => post<{ state: RunState }>('/api/run/reset', {}),
   pace: (pace: number) => post<{ state: RunState }>('/api/run/pace', { pace }),
+
+  setGoal: (robot: number, x_m: number, y_m: number) => post<Reached>('/api/run/goal', { robot, x_m, y_m }),
+  putObstacle: (mover: string, x_m: number, y_m: number) =>
+    post<Reached>('/api/run/obstacle', { mover, x_m, y_m }),
 
   recording: (path: string) => post<Recording>('/api/recording/open', { path }),
   samples: async (path: string) => (await send('/api/recording/samples', { path })).arrayBuffer(),

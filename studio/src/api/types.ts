@@ -252,6 +252,8 @@ export interface RobotInfo {
     cone_rad: number;
     max_range_m: number;
     signal: string;
+    /** Of a trainer: the side of the cells that its goals are. */
+    cell_m?: number;
   }[];
 }
 
@@ -272,6 +274,18 @@ export interface GoalEvent {
   reason: string;
 }
 
+/** Somebody reached into the running world: set a goal, or put an obstacle elsewhere. */
+export interface InterventionEvent {
+  event: 'intervention';
+  time_s: number;
+  tick: number;
+  what: 'goal' | 'obstacle';
+  robot?: number;
+  mover?: string;
+  x_m: number;
+  y_m: number;
+}
+
 export interface LogEvent {
   event: 'log';
   time_s: number;
@@ -287,6 +301,7 @@ export type StudioEvent =
   | { event: 'file'; path: string; hash: string }
   | ({ event: 'link' } & LinkTest)
   | GoalEvent
+  | InterventionEvent
   | LogEvent;
 
 export interface Hello {
@@ -305,7 +320,7 @@ export interface Recording {
   info: Info;
   scene: Scene | null;
   streams: Stream[];
-  events: (GoalEvent | LogEvent)[];
+  events: (GoalEvent | InterventionEvent | LogEvent)[];
   duration_s: number;
   run: RunFile;
   damages: string[];

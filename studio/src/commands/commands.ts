@@ -8,6 +8,7 @@ import { text } from '../text/text';
 import { isDark, useSettings } from '../theme/settings';
 import { complain, openDialog, say, show, toast, useWorkbench } from '../ui/workbench';
 import { player, usePlayer } from '../world/player';
+import { mayPutObstacle, maySetGoal } from '../world/reach';
 
 export type CommandName = keyof Dictionary['commands'];
 
@@ -158,6 +159,8 @@ export const kCommands: Command[] = [
     run: () => player.follow(!usePlayer.getState().following),
     enabled: () => usePlayer.getState().growing,
   },
+  { name: 'set_goal', menu: 'run', keys: ['G'], run: () => openDialog({ kind: 'set_goal' }), enabled: maySetGoal },
+  { name: 'put_obstacle', menu: 'run', run: () => openDialog({ kind: 'put_obstacle' }), enabled: mayPutObstacle },
   { name: 'palette', menu: 'help', keys: ['Ctrl+K'], run: () => openDialog({ kind: 'commands' }) },
   { name: 'keys', menu: 'help', keys: ['?'], run: () => openDialog({ kind: 'keys' }) },
   { name: 'tour', menu: 'help', run: () => useWorkbench.setState({ tour: 0 }) },

@@ -128,6 +128,11 @@ function takeEvent(event: StudioEvent): void {
     case 'goal':
       if (event.state === 'reached') say(text().run.goal_reached);
       get().live?.addEvent(event);
+      player.tellEvent();
+      break;
+    case 'intervention':
+      get().live?.addEvent(event);
+      player.tellEvent();
       break;
     case 'log':
       get().live?.addEvent(event);

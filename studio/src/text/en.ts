@@ -1,3 +1,5 @@
+import { reachEn } from './reach';
+
 /** Every word of the page in English; es.ts says the same in Spanish (its type is this one's). */
 export const en = {
   studio: 'Ganglion studio',
@@ -65,6 +67,8 @@ export const en = {
     stop: 'Stop',
     reset: 'Start again',
     hold_view: 'Hold the view, the run goes on',
+    set_goal: 'Set a goal…',
+    put_obstacle: 'Move an obstacle…',
     theme: 'Light or dark',
     language: 'English / español',
     keys: 'Keys',
@@ -291,6 +295,7 @@ export const en = {
       reached: 'reached',
       withdrawn: 'withdrawn',
       timed_out: 'timed out',
+      replaced: 'replaced by another',
       out_of_time: 'timed out',
     } as Record<string, string>,
     follow: 'Follow the robot',
@@ -317,6 +322,7 @@ export const en = {
       inhibited: 'inhibited cell',
     },
   },
+  reach: reachEn,
   values: { none: 'no reading', far: 'nothing in range', near: 'too close', stale: 'old', yes: 'yes', no: 'no' },
   shell: {
     skip: 'Skip to the drawing',

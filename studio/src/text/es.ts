@@ -1,4 +1,5 @@
 import type { Dictionary } from './en';
+import { reachEs } from './reach';
 
 /** La página en español, con las palabras de los artículos. */
 export const es: Dictionary = {
@@ -67,6 +68,8 @@ export const es: Dictionary = {
     stop: 'Parar',
     reset: 'Empezar de nuevo',
     hold_view: 'Congelar la vista, la ejecución sigue',
+    set_goal: 'Fijar un objetivo…',
+    put_obstacle: 'Mover un obstáculo…',
     theme: 'Claro u oscuro',
     language: 'English / español',
     keys: 'Teclas',
@@ -293,6 +296,7 @@ export const es: Dictionary = {
       reached: 'alcanzado',
       withdrawn: 'retirada',
       timed_out: 'sin tiempo',
+      replaced: 'sustituido por otro',
       out_of_time: 'sin tiempo',
     },
     follow: 'Seguir al robot',
@@ -319,6 +323,7 @@ export const es: Dictionary = {
       inhibited: 'celda inhibida',
     },
   },
+  reach: reachEs,
   values: {
     none: 'sin lectura',
     far: 'nada al alcance',

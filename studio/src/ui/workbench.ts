@@ -11,6 +11,8 @@ export type Dialog =
   | { kind: 'keys' }
   | { kind: 'search' }
   | { kind: 'configure' }
+  | { kind: 'set_goal' }
+  | { kind: 'put_obstacle' }
   | { kind: 'rename'; id: string }
   | { kind: 'add'; from?: string; at?: [number, number] }
   | { kind: 'connect_to'; id: string; from?: string }

@@ -15,6 +15,8 @@ interface Shown {
   t: number;
   end: number;
   robot: number;
+  /** Counts what was told between samples: a run that waits tells of goals too. */
+  told: number;
 }
 
 export const usePlayer = create<Shown>(() => ({
@@ -26,6 +28,7 @@ export const usePlayer = create<Shown>(() => ({
   t: 0,
   end: 0,
   robot: 0,
+  told: 0,
 }));
 
 const { getState: get, setState: set } = usePlayer;
@@ -63,6 +66,12 @@ class Player {
   wake(): void {
     if (this.frame || typeof requestAnimationFrame === 'undefined') return;
     this.frame = requestAnimationFrame((ms) => this.draw(ms));
+  }
+
+  /** An event came: whoever lists them looks again. */
+  tellEvent(): void {
+    set(({ told }) => ({ told: told + 1 }));
+    this.wake();
   }
 
   seek(t: number): void {

@@ -1,5 +1,5 @@
 import type { GridChange, Sample } from '../api/samples';
-import type { GoalEvent, Info, LogEvent, Scene, Stream } from '../api/types';
+import type { GoalEvent, Info, InterventionEvent, LogEvent, Scene, Stream } from '../api/types';
 import { indexAt, RowTrack, thinned } from './rows';
 
 /** Things that each hold from their time on. */
@@ -143,6 +143,7 @@ export class Timeline {
   readonly movers = new Track<Mover[]>(kMostMoves);
   readonly goals: GoalEvent[] = [];
   readonly logs: LogEvent[] = [];
+  readonly interventions: InterventionEvent[] = [];
   end = 0;
   /** Nothing is to come that it does not have. */
   complete = false;
@@ -198,9 +199,13 @@ export class Timeline {
     this.end = Math.max(this.end, sample.t);
   }
 
-  addEvent(event: GoalEvent | LogEvent): void {
+  addEvent(event: GoalEvent | InterventionEvent | LogEvent): void {
     if (event.event === 'goal') append(this.goals, event);
-    else append(this.logs, event);
+    else if (event.event === 'log') append(this.logs, event);
+    else {
+      append(this.interventions, event);
+      this.end = Math.max(this.end, event.time_s); // it is told at once, before the tick it counts for
+    }
   }
 
   /** A robot's value at a time; NaN where there is none. */
