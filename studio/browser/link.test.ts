@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import type { Locator, Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, onTestFailed, test } from 'vitest';
 import { Robot } from './robot';
-import { kProgram, open, Studio, shot, urlOf } from './studio';
+import { kProgram, open, runDrawn, Studio, shot, urlOf } from './studio';
 
 const kPrograms = `format = 1
 
@@ -35,10 +35,7 @@ afterAll(async () => {
 const state = () => page.locator('.run-now b').innerText();
 const bar = (name: string) => page.locator('.run-bar').getByRole('button', { name, exact: true });
 const pace = (value: string) => page.locator('.run-bar select').selectOption(value);
-const run = async () => {
-  await page.locator('.canvas').focus();
-  await page.keyboard.press('F5');
-};
+const run = () => runDrawn(page);
 const done = () => expect.poll(state, { timeout: 30_000 }).toBe('done');
 
 async function configured(work: (dialog: Locator) => Promise<void>): Promise<void> {

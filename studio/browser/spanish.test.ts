@@ -4,7 +4,7 @@ import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, onTestFailed, test } from 'vitest';
 import { englishIn } from './english';
 import { Robot } from './robot';
-import { kLooks, open, Studio, shot } from './studio';
+import { kLooks, open, runDrawn, Studio, shot } from './studio';
 
 let studio: Studio;
 let page: Page;
@@ -23,10 +23,7 @@ const kShown = '.head, .centre, .toasts, dialog';
 const bar = (name: string) => page.locator('.run-bar').getByRole('button', { name, exact: true });
 const state = () => page.locator('.run-now b').innerText();
 const ended = () => expect.poll(state, { timeout: 30_000 }).toBe('terminada');
-const run = async () => {
-  await page.locator('.canvas').focus();
-  await page.keyboard.press('F5');
-};
+const run = () => runDrawn(page);
 const noEnglish = async (name: string) => {
   await shot(page, `spanish_${name}`);
   expect(await englishIn(page, kShown)).toEqual([]);

@@ -148,6 +148,15 @@ export async function open(page: Page, path: string): Promise<void> {
   await page.locator('.box').first().waitFor();
 }
 
+/** Starts what is drawn. Until the page has heard of the new run, it still shows the one before. */
+export async function runDrawn(page: Page): Promise<void> {
+  const started = page.waitForResponse((response) => response.url().endsWith('/api/run/start'));
+  await page.locator('.canvas').focus();
+  await page.keyboard.press('F5');
+  const { run } = await (await started).json();
+  await page.locator(`.run-now[data-run="${run}"]`).waitFor();
+}
+
 export async function shot(page: Page, name: string): Promise<void> {
   await page.screenshot({ path: join(kShots, `${name}.png`) });
 }

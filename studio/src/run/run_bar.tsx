@@ -56,7 +56,7 @@ function Now() {
   if (!state || state.state === 'idle') return <span className="run-now">{text.run.states.idle}</span>;
   const other = drawn !== undefined && runText !== '' && drawn !== runText;
   return (
-    <span className="run-now" title={other ? text.run.runs_other : text.run.runs_same}>
+    <span className="run-now" data-run={state.run} title={other ? text.run.runs_other : text.run.runs_same}>
       <b className={`state-${state.state}`}>{text.run.states[state.state]}</b>{' '}
       {text.run.time(state.time_s.toFixed(1), state.duration_s.toFixed(0))}
       {state.state === 'running' && state.speed > 0 && <small> {text.run.speed(state.speed.toPrecision(2))}</small>}
