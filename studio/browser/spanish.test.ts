@@ -51,7 +51,8 @@ test('problems of a broken drawing', async () => {
   await connect.click();
   await page.getByRole('dialog').waitFor();
   await page.keyboard.press('Escape');
-  await run();
+  await page.locator('.canvas').focus();
+  await page.keyboard.press('F5');
   await page.locator('.toast.bad').first().waitFor();
   await noEnglish('blocked');
   await page.locator('.problems-head').click();
