@@ -7,7 +7,6 @@
 #include <thread>
 
 #include "ganglion/application/fault/faulty_application.h"
-#include "ganglion/base/text.h"
 #include "ganglion/kinds/kinds.h"
 #include "ganglion/run/recording.h"
 #include "ganglion/run/robot_measures.h"
@@ -222,9 +221,9 @@ void judge(const Experiment& experiment, RunResult& result) {
     result.success = false;
     const double found = measure(result.measures, criterion.name);
     const bool known = !std::isnan(found);
-    result.reason += fmt::format("; not met: {} ({})", criterion.text(), known ? shortest(found) : "not available");
-    result.reason_es +=
-        fmt::format("; no se cumple: {} ({})", criterion.text(), known ? shortest(found) : "no disponible");
+    const std::string about = fmt::format("{:.4g}", found);  // a sentence; the measures have all digits
+    result.reason += fmt::format("; not met: {} ({})", criterion.text(), known ? about : "not available");
+    result.reason_es += fmt::format("; no se cumple: {} ({})", criterion.text(), known ? about : "no disponible");
   }
 }
 

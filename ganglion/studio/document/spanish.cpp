@@ -184,6 +184,7 @@ constexpr auto kGeneral = std::to_array<Phrase>({
     {"in {}", "estar en {0}"},
     {"{}: there is no file \"{}\"", "{0}: no existe el archivo \"{1}\""},
     {"{} has {} number{}, must have {}", "{0} tiene {1} número(s), debe tener {3}"},
+    {"{} is {}, must be in {}", "{0} es {1}, debe estar en {2}"},
     {"{} is {}, must be {}", "{0} es {1}, debe ser {2}"},
     {"{} is missing", "falta {0}"},
     {"{} is \"{}\"{}", "{0} es \"{1}\"{2}"},

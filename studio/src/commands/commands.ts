@@ -37,13 +37,6 @@ async function saveAndSay(): Promise<void> {
   }
 }
 
-/** The world beside the drawing, which has half of its room then. */
-function showBeside(): void {
-  if (useWorkbench.getState().split) return;
-  useWorkbench.setState({ split: true, centre: 'drawing' });
-  requestAnimationFrame(() => requestAnimationFrame(fit));
-}
-
 /** Run what is drawn; with problems, or without an experiment, shows what is in the way. */
 async function runOrExplain(): Promise<void> {
   const model = current()?.model;
@@ -55,7 +48,7 @@ async function runOrExplain(): Promise<void> {
   if (!useRun.getState().configuration.experiment) return openDialog({ kind: 'configure' });
   await start();
   if (useWorkbench.getState().centre !== 'world') {
-    if (innerWidth >= 1200) showBeside();
+    if (innerWidth >= 1200) useWorkbench.setState({ split: true, centre: 'drawing' });
     else show('world');
   }
 }

@@ -19,7 +19,7 @@ export async function openController(path: string): Promise<void> {
 export function useFiles(): Files | null {
   const version = useRun((state) => state.filesVersion);
   const [files, setFiles] = useState<Files | null>(null);
-  // biome-ignore lint/correctness/useExhaustiveDependencies: read again whenever something was written
+  // read again whenever something was written
   useEffect(() => {
     api.files().then(setFiles, complain);
   }, [version]);

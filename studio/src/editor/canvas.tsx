@@ -92,7 +92,8 @@ function useFitting(frame: { current: HTMLElement | null }, path: string, drawn:
       const same = fitted.current.path === path && Math.abs(width - fitted.current.width) < kOtherWidth * width;
       if (!drawn || same || width === 0) return;
       fitted.current = { path, width };
-      requestAnimationFrame(() => void flow.fitView({ padding: 0.06, maxZoom: 1 }));
+      // Only after the next frame does the drawing itself know of its width.
+      requestAnimationFrame(() => requestAnimationFrame(() => void flow.fitView({ padding: 0.06, maxZoom: 1 })));
     };
     const sized = new ResizeObserver(look);
     sized.observe(element);
@@ -134,7 +135,7 @@ function Flow() {
       role="application"
       className="canvas"
       ref={frame}
-      // biome-ignore lint/a11y/noNoninteractiveTabindex: arrows walk the drawing along its wires
+      // arrows walk the drawing along its wires
       tabIndex={0}
       aria-label={text.panes.drawing}
       onKeyDown={canvasKey}

@@ -82,7 +82,7 @@ export function ConnectTo({ id, from }: { id: string; from?: string }) {
   const [output, setOutput] = useState(from ?? sources[0] ?? id);
   const [previous, setPrevious] = useState(false);
   const [choices, setChoices] = useState<Choice[] | null>(null);
-  // biome-ignore lint/correctness/useExhaustiveDependencies: of the text as it is when the dialog opens
+  // of the text as it is when the dialog opens
   useEffect(() => {
     const wire = withPrevious(output, previous);
     api

@@ -51,6 +51,12 @@ function Fixes({ problem }: { problem: Problem }) {
   );
 }
 
+/** The message without the component's id, which stands before it anyway. */
+function besides({ component, message }: Problem): string {
+  const id = `${component}: `;
+  return component !== '' && message.startsWith(id) ? message.slice(id.length) : message;
+}
+
 /** Everything that stands between the drawing and a run; a click goes to the culprit. */
 export function Problems() {
   const text = useText();
@@ -76,7 +82,7 @@ export function Problems() {
           {problems.map((problem) => (
             <li key={`${problem.line} ${problem.column} ${problem.message}`}>
               <button type="button" className="problem" onClick={() => goTo(problem)}>
-                <b>{problem.component || text.problems.of_all}</b> {problem.message}{' '}
+                <b>{problem.component || text.problems.of_all}</b> {besides(problem)}{' '}
                 <small>{text.problems.line(problem.line)}</small>
               </button>
               <Fixes problem={problem} />

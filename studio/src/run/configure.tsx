@@ -120,7 +120,7 @@ function TestConnection() {
   const testing = test !== null && !test.done;
   const missing = !experiment || (application === 'address' && !address.trim());
   return (
-    <div className="field">
+    <div className="test">
       <button type="button" onClick={() => testLink().catch(complain)} disabled={testing || missing}>
         {text.configure.test}
       </button>
