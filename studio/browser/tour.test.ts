@@ -10,6 +10,13 @@ beforeAll(async () => {
 });
 afterAll(() => studio?.stop());
 
+/** Boxes that are not whole within the canvas. */
+function outOfSight(boxes: Element[]): (string | null)[] {
+  const seen = document.querySelector('.canvas')?.getBoundingClientRect() ?? new DOMRect();
+  const whole = (one: DOMRect) => one.left >= seen.left && one.right <= seen.right;
+  return boxes.filter((box) => !whole(box.getBoundingClientRect())).map((box) => box.getAttribute('data-component'));
+}
+
 test('the tour leads a newcomer from nothing to figure 6, and to a run that reaches its goal', async () => {
   const page = await studio.page();
   await page.keyboard.press('Control+k');
@@ -34,6 +41,8 @@ test('the tour leads a newcomer from nothing to figure 6, and to a run that reac
   await page.locator('.run-bar select').selectOption('0');
   await tour.getByRole('button', { name: 'Run', exact: true }).click();
   await page.locator('.outcome').getByText('did its task').waitFor({ timeout: 40_000 });
+  // The world stands beside the drawing now, which was made to fit.
+  await expect.poll(() => page.locator('.box').evaluateAll(outOfSight)).toEqual([]);
   await shot(page, 'toured');
   await page.keyboard.press('Control+s');
   await page.locator('.head').getByText('saved', { exact: true }).waitFor();

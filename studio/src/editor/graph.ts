@@ -95,7 +95,7 @@ function nodeOf(data: ComponentData, [x, y]: Point, selected: boolean, node: Com
   if (same && node.position.x === x && node.position.y === y && node.selected === selected) return node;
   const samePorts = node?.data.ports === data.ports;
   return {
-    ...(node?.measured && samePorts ? { measured: node.measured } : {}),
+    ...(node?.measured ? { measured: node.measured } : {}), // without it nothing fits: it comes anew only with a new size
     id: data.component.id,
     type: 'component',
     position: { x, y },
