@@ -38,7 +38,7 @@ std::optional<RunEvent> event_of(std::string_view topic, std::string_view schema
 }
 
 Json parsed(std::string_view text) {
-  if (!json_nests_within(text, kDeepestJson)) return {};
+  if (!json_nests_within(text, kDeepestJson) || !json_has_few_keys(text)) return {};
   Json json = Json::parse(text, nullptr, false);
   return json.is_discarded() ? Json() : json;
 }

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -34,6 +35,39 @@ TEST_F(Hostile, SurvivesJsonNestedAHundredThousandDeep) {
     }
   }
   EXPECT_EQ(client.get("/api/run").status, 200u);
+}
+
+/// Read in the order they stand in, each key is compared with all before it: 8 MiB of them would take an hour.
+TEST_F(Hostile, RefusesAnObjectOfSoManyKeysThatReadingItWouldTakeForever) {
+  const Client client = client_of();
+  const auto body_of = [](int keys) {
+    std::string body = R"({"path":"controller.toml","more":{)";
+    for (int i = 0; i < keys; ++i) body += fmt::format("\"k{}\":1,", i);
+    return body + R"("last":1}})";
+  };
+  const Answer refused = client.send("POST", "/api/file/open", body_of(600'000));
+  EXPECT_EQ(refused.status, 413u);
+  EXPECT_EQ(refused.json()["error"]["code"], "TooLarge");
+  EXPECT_EQ(client.send("POST", "/api/file/open", body_of(10'000)).status, 200u) << "as many as a drawing has boxes";
+}
+
+TEST_F(Hostile, TellsWhichTableOfATextHasTooManyKeys) {
+  const Client client = client_of();
+  std::string text = "format = 1\n\n[[acting]]\nid = \"a\"\n";
+  for (int i = 0; i < 333'000; ++i) text += fmt::format("k{:x} = 1\n", i);
+  const Answer opened = client.post("/api/document/open", {{"path", "controller.toml"}, {"text", text}});
+  ASSERT_EQ(opened.status, 200u);
+  const auto problem = opened.json()["model"]["problems"][0];
+  EXPECT_EQ(problem["code"], "TooLarge");
+  EXPECT_EQ(problem["line"], 3);
+  EXPECT_EQ(problem["message"], "has 333001 keys; the limit of a table is 10000");
+  const Answer edited =
+      client.post("/api/document/edit", {{"path", "controller.toml"},
+                                         {"text", text},
+                                         {"operations", {{{"op", "set"}, {"id", "a"}, {"key", "k9"}, {"value", 2}}}}});
+  EXPECT_EQ(edited.status, 200u);
+  EXPECT_EQ(client.post("/api/document/targets", {{"path", "controller.toml"}, {"text", text}, {"id", "a"}}).status,
+            200u);
 }
 
 TEST_F(Hostile, SaysWhatIsNoFileWithoutAFailureOfItsOwn) {
