@@ -187,6 +187,7 @@ class Reader {
     goal.ended_s = time_s;
     goal.state = state == "reached"     ? GoalState::Reached
                  : state == "withdrawn" ? GoalState::Withdrawn
+                 : state == "replaced"  ? GoalState::Replaced
                                         : GoalState::TimedOut;
     goal.reason = text_in(message, "reason");
   }

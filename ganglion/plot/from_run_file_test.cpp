@@ -145,6 +145,13 @@ TEST(ViewOfARunFile, ReadsRoutesGoalsAndEvents) {
   EXPECT_EQ(run.events[0].text, "router: withdrawn");
 }
 
+TEST(ViewOfARunFile, TakesAReplacedGoalForNeitherReachedNorGivenUp) {
+  RunFile file = sample_file();
+  std::string& outcome = file.json["/robot0/goals"].messages.back().text;
+  outcome.replace(outcome.find("withdrawn"), std::string_view("withdrawn").size(), "replaced");
+  EXPECT_EQ(from_run_file(file).robots[0].goals.at(0).state, GoalState::Replaced);
+}
+
 TEST(ViewOfARunFile, CountsWhatItCannotRead) {
   RunFile file = sample_file();
   file.json["/log"].messages.push_back({0, "{"});

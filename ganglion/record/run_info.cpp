@@ -14,6 +14,7 @@ constexpr std::string_view kMeasure = "measure.";
 constexpr std::string_view kDigest = "digest.";
 constexpr std::string_view kReasonEs = "reason_es";
 constexpr std::string_view kCriterion = "criterion";
+constexpr std::string_view kInterventions = "interventions";
 
 /// Gathers the first thing wrong while fields are taken one by one.
 class FieldTaker {
@@ -85,6 +86,7 @@ mcap::Fields to_fields(const RunOutcome& outcome) {
   if (!outcome.reason_es.empty()) fields.emplace_back(kReasonEs, outcome.reason_es);
   if (!outcome.criterion.empty()) fields.emplace_back(kCriterion, outcome.criterion);
   for (const auto& [name, value] : outcome.measures) fields.emplace_back(std::string(kMeasure) + name, shortest(value));
+  if (outcome.interventions > 0) fields.emplace_back(kInterventions, std::to_string(outcome.interventions));
   for (const auto& [name, digest] : outcome.component_digests) fields.emplace_back(std::string(kDigest) + name, digest);
   return fields;
 }
@@ -113,6 +115,7 @@ Result<RunOutcome> run_outcome_from(const mcap::Fields& fields) {
   for (const auto& [key, value] : fields) {
     if (key == kReasonEs) outcome.reason_es = value;
     if (key == kCriterion) outcome.criterion = value;
+    if (key == kInterventions) outcome.interventions = taker.integer<std::size_t>(key);
     if (key.starts_with(kMeasure)) outcome.measures.emplace_back(key.substr(kMeasure.size()), taker.number(key, value));
     if (key.starts_with(kDigest)) outcome.component_digests.emplace_back(key.substr(kDigest.size()), value);
   }

@@ -33,6 +33,7 @@ struct RunOutcome {
   std::vector<std::pair<std::string, double>> measures;  ///< In the order of the experiment file.
   /// Of each component alone, "robot0/escape": what an unrelated component leaves as it was.
   std::vector<std::pair<std::string, std::string>> component_digests;
+  std::size_t interventions = 0;  ///< How often somebody reached into the run's world: not the seed's own if any.
 };
 
 /// Names of the MCAP metadata records that hold the two.

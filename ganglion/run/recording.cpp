@@ -110,7 +110,7 @@ Result<void> Recording::finish(RunResult& result) {
   if (!recorder_) return {};
   result.files.push_back(file_.string());
   return recorder_->finish({result.digest, result.success, result.reason, result.reason_es, criterion_, result.measures,
-                            result.component_digests});
+                            result.component_digests, result.interventions});
 }
 
 Result<RecordedInputs> unpack_inputs(const RunFile& run, const fs::path& folder) {

@@ -72,6 +72,9 @@ Result<ReplayResult> replay_run(const fs::path& run_file) {
   options.seed = recorded->info.seed;
   options.episode = recorded->info.episode;
   options.experience = std::move(inputs->experience);
+  auto interventions = interventions_of(*recorded);
+  if (!interventions) return tl::unexpected<Error>(interventions.error());
+  options.interventions = std::move(*interventions);
   options.run_file = folder.path() / "repeated.mcap";
   const bool short_run = !recorded->outcome || recorded->outcome->reason.starts_with(kInterrupted) ||
                          recorded->outcome->reason.starts_with(kLinkLost);

@@ -134,8 +134,12 @@ void report_goals(std::span<const sim::GoalRecord> goals, Measures& into) {
   into.emplace_back("goals_timed_out", outcome(sim::GoalOutcome::TimedOut));
   into.emplace_back("goals_unreachable", count([](const sim::GoalRecord& goal) { return !goal.reachable; }));
   into.emplace_back("goals_missed", count([](const sim::GoalRecord& goal) {
-                      return goal.reachable && goal.outcome != sim::GoalOutcome::Reached;
+                      return goal.reachable && goal.outcome != sim::GoalOutcome::Reached &&
+                             goal.outcome != sim::GoalOutcome::Replaced;
                     }));
+  if (const double replaced = outcome(sim::GoalOutcome::Replaced); replaced > 0) {
+    into.emplace_back("goals_replaced", replaced);
+  }
   into.emplace_back("unreachable_withdrawn", count([](const sim::GoalRecord& goal) {
                       return !goal.reachable && goal.outcome == sim::GoalOutcome::Withdrawn;
                     }));

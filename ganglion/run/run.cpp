@@ -89,12 +89,13 @@ class Course {
   /// Of the first robot's trainer; null where there is none.
   const sim::TrainerLog* trainer() const noexcept { return witness() != nullptr ? witness()->trainer_log(0) : nullptr; }
   const Controllers& controllers() const noexcept { return controllers_; }
-  std::string digest() const {
+  std::string digest(const Interference& interference) const {
     std::uint64_t sum = truth_.total();
+    if (interference.count() > 0) sum += interference.digest().total();
     for (const auto& controller : controllers_) sum += controller->digest().total();
     return hex(sum);
   }
-  std::vector<std::pair<std::string, std::string>> component_digests() const {
+  std::vector<std::pair<std::string, std::string>> component_digests(const Interference& interference) const {
     std::vector<std::pair<std::string, std::string>> result;
     const auto tell = [&result](const Digest& digest) {
       for (const Digest::OfComponent& one : digest.components()) {
@@ -104,6 +105,7 @@ class Course {
     };
     tell(truth_);
     for (const auto& controller : controllers_) tell(controller->digest());
+    tell(interference.digest());
     return result;
   }
 
@@ -211,6 +213,10 @@ class Judge {
 
 void judge(const Experiment& experiment, RunResult& result) {
   result.success = result.reason != kInterrupted && !result.link_lost;
+  if (result.interventions > 0) {
+    result.reason += fmt::format("; interventions: {}", result.interventions);
+    result.reason_es += fmt::format("; intervenciones: {}", result.interventions);
+  }
   for (const Criterion& criterion : experiment.success) {
     if (criterion.met(result.measures)) continue;
     result.success = false;
@@ -237,6 +243,12 @@ Contacts contacts_of(const Course& course, int robots) {
   return contacts;
 }
 
+void tell_digests(const Course& course, const Interference& interference, RunResult& result) {
+  result.digest = course.digest(interference);
+  result.component_digests = course.component_digests(interference);
+  result.interventions = interference.count();
+}
+
 std::size_t concluded_goals(const Course& course) {
   const sim::TrainerLog* trainer = course.trainer();
   if (trainer == nullptr) return 0;
@@ -255,6 +267,11 @@ Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
   Judge measured(prepared, *course, std::move(*free_ground));
   auto recording = Recording::start(prepared, options, course->robots(), course->controllers());
   if (!recording) return tl::unexpected<Error>(recording.error());
+  Interference interference(course->robots().simulation(), options.interventions, [&](const TimedIntervention& one) {
+    recording->write_intervention(one, one.tick * prepared.step_s);
+  });
+  if (options.reach) options.reach([&](const sim::Intervention& what) { return interference.reach(what); });
+  if (auto done = interference.before(0); !done) return tl::unexpected<Error>(done.error());
 
   RunResult result;
   result.seed = options.seed;
@@ -283,6 +300,7 @@ Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
       ended(result, "stopped: " + stop, "parada: " + stop);
       break;
     }
+    if (auto done = interference.before(tick + 1); !done) return tl::unexpected<Error>(done.error());
     const bool wanted = !options.progress || options.progress((tick + 1.0) / ticks);
     if (!wanted || (options.stop && options.stop())) {
       ended(result, kInterrupted, "interrumpida");
@@ -292,8 +310,7 @@ Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
   }
   result.measures = measured.measures(*course);
   result.contacts = contacts_of(*course, prepared.experiment.robots);
-  result.digest = course->digest();
-  result.component_digests = course->component_digests();
+  tell_digests(*course, interference, result);
   result.experience = course->controllers().front()->experience();
   judge(prepared.experiment, result);
   if (options.learned) options.learned(result.experience);

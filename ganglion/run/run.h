@@ -5,6 +5,7 @@
 
 #include "ganglion/graph/controller.h"
 #include "ganglion/record/run_sink.h"
+#include "ganglion/run/interference.h"
 #include "ganglion/run/prepared.h"
 
 namespace ganglion {
@@ -26,6 +27,12 @@ struct RunOptions {
   RunSink* watcher = nullptr;
   /// Called once when all is ready, before the first tick: may hold the run back; false ends it before it begins.
   std::function<bool()> armed;
+  /// What is done to the world, by tick, in order: a run that cannot do it fails. One that does is not the seed's own
+  /// any more: its digest and its reason say so.
+  std::vector<TimedIntervention> interventions;
+  /// Called once before `armed` with a way to do more: to be used by `armed`, `progress` and their like, between ticks
+  /// and by the run's own thread. What it does is done before the next tick, and recorded.
+  std::function<void(Reach)> reach;
   bool in_process = false;  ///< Simulate the robots here, whatever address the experiment names.
 };
 
@@ -47,6 +54,7 @@ struct RunResult {
   Contacts contacts;  ///< Of all robots.
   Measures measures;  ///< Of robot 0; with several robots the worst of each is not taken: see docs/manual/run.md.
   std::vector<std::string> files;
+  std::size_t interventions = 0;             ///< How often somebody reached into its world.
   std::optional<Error> link_lost;            ///< The run ended early for it.
   std::optional<Error> record_error;         ///< The run was carried out, but its file is not whole.
   std::vector<ModuleExperience> experience;  ///< Of robot 0 at the end.
@@ -54,7 +62,7 @@ struct RunResult {
 
 /// Carries out one run. Fails where a component refuses its parameters, the robot finds no place, or the file cannot be
 /// made. A disk that fills up on the way loses the file's end, not the result. The result depends on the experiment,
-/// the experience and the seed only; that of an interrupted run also on when it was.
+/// the experience, the interventions and the seed only; that of an interrupted run also on when it was.
 Result<RunResult> run(const Prepared& prepared, const RunOptions& options);
 
 /// The reason of a run that `progress` or `stop` ended, before the criteria it did not meet.

@@ -39,7 +39,7 @@ Result<RunRobots> RunRobots::simulate(const Prepared& prepared, std::shared_ptr<
   auto simulation = sim::Simulation::make(prepared.simulation(std::move(ground), starts));
   if (!simulation) return tl::unexpected<Error>(simulation.error());
   RunRobots robots;
-  robots.witness_ = simulation->get();
+  robots.witness_ = robots.simulation_ = simulation->get();
   robots.application_ = std::move(*simulation);
   return robots;
 }

@@ -22,6 +22,8 @@ class RunRobots {
   const sim::Witness* witness() const noexcept { return witness_; }
   /// Null where they are simulated here.
   link::RemoteApplication* remote() const noexcept { return remote_; }
+  /// Null where they are not.
+  sim::Simulation* simulation() const noexcept { return simulation_; }
   /// Whether they have a clock of their own.
   bool free_running() const noexcept { return free_running_; }
 
@@ -32,6 +34,7 @@ class RunRobots {
   std::unique_ptr<Application> application_;
   const sim::Witness* witness_ = nullptr;
   link::RemoteApplication* remote_ = nullptr;
+  sim::Simulation* simulation_ = nullptr;
   bool free_running_ = false;
 };
 

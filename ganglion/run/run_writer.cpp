@@ -54,6 +54,7 @@ Json sensor_json(const sim::SensorModel& sensor, const sim::RobotModel& robot, c
                {"cone_rad", 0},
                {"max_range_m", 0},
                {"signal", signal_of(sensor.id, model)}};
+  if (sensor.kind->descriptor.parameter("cell_m") != nullptr) json["cell_m"] = sensor.parameters.real("cell_m");
   if (sensor.kind->descriptor.parameter("cone_deg") != nullptr) {
     json["cone_rad"] = Angle::from_deg(sensor.parameters.real("cone_deg")).rad();
   }
@@ -86,6 +87,15 @@ double cell_of(const ControllerModel& model) {
     }
   }
   return 0;
+}
+
+std::optional<double> goal_cell_of(const sim::RobotModel& robot) {
+  for (const sim::SensorModel& sensor : robot.sensors) {
+    if (sensor.kind->descriptor.parameter("cell_m") != nullptr && sensor.kind->descriptor.name == "Trainer") {
+      return sensor.parameters.real("cell_m");
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -125,6 +135,7 @@ void RunWriter::write_scene(const sim::World& world, const sim::RobotModel& robo
                       {"radius_m", robot.radius_m},
                       {"sensors", sensors}});
   }
+  goal_cell_m_ = goal_cell_of(robot).value_or(cell_m_);
   const Json run = {{"robots", robots}, {"coordinators", coordinators_json(model)}, {"cell_m", cell_m_}};
   recorder_.write_json("/run", "ganglion.Run", 0, run.dump());
 }
@@ -144,6 +155,13 @@ void RunWriter::write(std::uint32_t tick, double time_s) {
   if (time_s + 1e-9 < next_maps_s_) return;
   next_maps_s_ = time_s + maps_every_s_;
   for (std::size_t i = 0; i < robots_.size(); ++i) write_exhibits(static_cast<int>(i), time_s);
+}
+
+void RunWriter::write_intervention(const TimedIntervention& one, double time_s) {
+  recorder_.write_json(kInterventionTopic, kInterventionSchema, time_s, intervention_json(one));
+  log(time_s, kInfo, "intervention", intervention_text(one));
+  write_movers(time_s);
+  for (std::size_t i = 0; i < robots_.size(); ++i) write_goals(static_cast<int>(i), time_s);
 }
 
 void RunWriter::write_truth(std::size_t robot) {
@@ -233,8 +251,8 @@ void RunWriter::write_goals(int robot, double time_s) {
     const std::string state =
         goals[g].outcome == sim::GoalOutcome::Open ? "set" : std::string(name_of(goals[g].outcome));
     const Json json = {{"index", g},
-                       {"x_m", (goals[g].goal.column + 0.5) * cell_m_},
-                       {"y_m", (goals[g].goal.row + 0.5) * cell_m_},
+                       {"x_m", (goals[g].goal.column + 0.5) * goal_cell_m_},
+                       {"y_m", (goals[g].goal.row + 0.5) * goal_cell_m_},
                        {"state", state},
                        {"reason", name_of(goals[g].reason)}};
     recorder_.write_json(fmt::format("/robot{}/goals", robot), "ganglion.Goal", time_s, json.dump());

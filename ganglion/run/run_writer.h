@@ -8,6 +8,7 @@
 #include "ganglion/graph/controller.h"
 #include "ganglion/record/run_sink.h"
 #include "ganglion/run/experiment.h"
+#include "ganglion/run/interference.h"
 #include "ganglion/run/run_robots.h"
 
 namespace ganglion {
@@ -23,6 +24,8 @@ class RunWriter {
   /// The tick just decided: truth as it was sensed, and what the controllers made of it. Allocates only for what
   /// changed.
   void write(std::uint32_t tick, double time_s);
+  /// What somebody did to the world before the tick of that time, and how it stands now.
+  void write_intervention(const TimedIntervention& one, double time_s);
 
  private:
   struct Robot {
@@ -49,6 +52,7 @@ class RunWriter {
   double maps_every_s_;
   double next_maps_s_ = 0;
   double cell_m_ = 0;
+  double goal_cell_m_ = 0;  ///< Of the trainer; else that of the map.
   std::uint64_t movers_shown_ = 0;
   std::vector<Robot> robots_;
 };

@@ -10,6 +10,8 @@ export interface Plan {
   wires: { from: string; id: string; port: string; previous?: boolean }[];
   set: { id: string; key: string; value: string }[];
   command: { id: string; name: string };
+  /** Runs it in the simulation until its goal is reached, before it is saved. */
+  run?: boolean;
 }
 
 /** Figure 6 of the paper, as experiments/pathfinder/controller.toml has it. */
@@ -43,6 +45,7 @@ export const kPathfinder: Plan = {
     { id: 'router', key: 'backward_weight', value: '1' },
   ],
   command: { id: 'router', name: 'step' },
+  run: true,
 };
 
 /** Nimrod's three behaviours and their coordinator. */
@@ -101,6 +104,8 @@ export interface Hand {
   wire(page: Page, wire: Plan['wires'][number]): Promise<void>;
   set(page: Page, id: string, key: string, value: string): Promise<void>;
   command(page: Page, id: string, name: string): Promise<void>;
+  /** Configures the built-in simulation, as fast as can be, and runs. */
+  run(page: Page): Promise<void>;
   save(page: Page): Promise<void>;
 }
 
@@ -115,5 +120,10 @@ export async function build(page: Page, plan: Plan, hand: Hand): Promise<void> {
   for (const one of plan.set) await hand.set(page, one.id, one.key, one.value);
   await hand.command(page, plan.command.id, plan.command.name);
   if (plan.tick_s) await hand.set(page, '', 'tick_s', `${plan.tick_s}`);
+  if (plan.run) {
+    await hand.run(page);
+    await page.locator('.events').getByText('goal 1: reached').waitFor({ timeout: 30_000 });
+    await page.locator('.outcome.good').waitFor({ timeout: 30_000 });
+  }
   await hand.save(page);
 }

@@ -96,6 +96,17 @@ export const kMouse: Hand = {
     await choose(page, 'Drives the command', name);
     await box(page, id).getByText(`→ ${name}`).waitFor();
   },
+  async run(page) {
+    const bar = page.locator('.run-bar');
+    await bar.getByRole('button', { name: 'Configure…' }).click();
+    const dialog = page.getByRole('dialog');
+    await dialog.getByLabel('Application').selectOption('simulation');
+    await dialog.getByRole('button', { name: 'Test connection' }).click();
+    await dialog.getByText('the simulation is ready').waitFor();
+    await dialog.getByRole('button', { name: 'Done' }).click();
+    await bar.locator('select').selectOption('0');
+    await bar.getByRole('button', { name: 'Run', exact: true }).click();
+  },
   async save(page) {
     await page.getByRole('button', { name: 'Save', exact: true }).click();
     await page.locator('.head').getByText('saved', { exact: true }).waitFor();
@@ -107,7 +118,7 @@ async function onDrawing(page: Page): Promise<void> {
 }
 
 /** Selects by the search dialog: no pointer anywhere. */
-async function find(page: Page, id: string): Promise<void> {
+export async function find(page: Page, id: string): Promise<void> {
   await onDrawing(page);
   await page.keyboard.press('Control+F');
   await page.keyboard.type(id);
@@ -124,8 +135,8 @@ async function commandPalette(page: Page, words: string): Promise<void> {
 }
 
 /** Tab to the element, as one without a mouse must; fails if Tab never comes there. */
-async function tabTo(page: Page, label: string): Promise<void> {
-  const wanted = page.getByLabel(label, { exact: true }).first();
+async function tabTo(page: Page, label: string, within = page.locator('body')): Promise<void> {
+  const wanted = within.getByLabel(label, { exact: true }).or(within.getByTitle(label, { exact: true })).first();
   for (let i = 0; i < 150; i += 1) {
     if (await wanted.evaluate((element) => element === document.activeElement)) return;
     await page.keyboard.press('Tab');
@@ -218,7 +229,20 @@ export const kKeyboard: Hand = {
     await pick(page, name);
     await box(page, id).getByText(`→ ${name}`).waitFor();
   },
+  async run(page) {
+    await onDrawing(page);
+    await commandPalette(page, 'configure');
+    await page.getByRole('dialog', { name: 'Configure' }).waitFor();
+    await tabTo(page, 'Application');
+    await pick(page, 'Built-in');
+    await page.keyboard.press('Escape');
+    await tabTo(page, 'Pace', page.locator('.run-bar'));
+    await pick(page, 'max');
+    await onDrawing(page);
+    await page.keyboard.press('F5');
+  },
   async save(page) {
+    await onDrawing(page);
     await page.keyboard.press('Control+S');
     await page.locator('.head').getByText('saved', { exact: true }).waitFor();
   },

@@ -21,7 +21,7 @@ test('the simulation is configured: experiment, seed, connection tested, the rob
   await dialog.getByLabel('Experiment').selectOption('pathfinder/experiment.toml');
   await dialog.getByLabel('Seed').fill('3');
   await dialog.getByRole('button', { name: 'Test connection' }).click();
-  await dialog.getByText('The simulation is ready').waitFor();
+  await dialog.getByText('the simulation is ready').waitFor();
   await dialog.getByText('What the robot says of itself').waitFor();
   await dialog.getByLabel('Wait before the first tick').check();
   await shot(page, 'configure');
@@ -62,6 +62,16 @@ test('the goal is reached, the run ends well, and its report opens', async () =>
   await page.locator('.events').getByText('goal 1: reached').waitFor({ timeout: 30_000 });
   await expect.poll(state, { timeout: 30_000 }).toBe('done');
   expect(await page.locator('.outcome').innerText()).toContain('did its task');
+  // However fast it was, no tick is missing any more: five steps back are five ticks of a second.
+  const end = Math.round(await shownTime());
+  await expect
+    .poll(async () => {
+      await page.getByLabel('Time of the run').press('End');
+      await page.locator('.canvas').focus();
+      for (let i = 0; i < 5; i += 1) await page.keyboard.press(',');
+      return Math.round(await shownTime());
+    })
+    .toBe(end - 5);
   const href = await page.locator('.outcome a').getAttribute('href');
   const answer = await page.request.get(new URL(href ?? '', studio.url).href);
   expect(answer.status()).toBe(200);

@@ -6,7 +6,7 @@ import './theme/world.css';
 import { createRoot } from 'react-dom/client';
 import { listenToKeys } from './commands/keys';
 import { startAutosave } from './document/autosave';
-import { reword } from './document/document';
+import { reword, useDocument } from './document/document';
 import { loadKinds } from './document/kinds';
 import { connect } from './run/run';
 import { text } from './text/text';
@@ -19,6 +19,11 @@ listenToKeys();
 startAutosave(() => toast(text().save.autosave_failed, [], 'bad'));
 useSettings.subscribe((now, before) => {
   if (now.language !== before.language) reword().catch(complain);
+});
+
+// Edits that wait for a server that is away are in this page only.
+addEventListener('beforeunload', (event) => {
+  if (useDocument.getState().busy > 0) event.preventDefault();
 });
 
 const root = document.getElementById('studio');

@@ -1,10 +1,12 @@
 import { beforeEach, describe, expect, test, vi } from 'vitest';
+import { usePresence } from '../src/api/presence';
 import { startAutosave } from '../src/document/autosave';
 import {
   current,
   edit,
   fileChanged,
   isDirty,
+  kept,
   openDocument,
   overwrite,
   recoverDraft,
@@ -14,6 +16,8 @@ import {
   undo,
   useDocument,
 } from '../src/document/document';
+import type { Model } from '../src/api/types';
+import { share } from '../src/document/share';
 import { StubServer } from './stub';
 
 let server: StubServer;
@@ -42,6 +46,25 @@ describe('a document', () => {
     expect(texts()).toEqual(['one', 'two', 'a', 'b', 'c']);
   });
 
+  test('keeps edits while the server is away, shows that, and sends them in order when it is back', async () => {
+    const back = globalThis.fetch;
+    globalThis.fetch = () => Promise.reject(new TypeError('no server'));
+    const waiting = [add('a'), add('b')];
+    await vi.waitFor(() => expect(usePresence.getState().connected).toBe(false));
+    expect(useDocument.getState().busy).toBe(2);
+    globalThis.fetch = back;
+    await Promise.all(waiting);
+    expect(texts()).toEqual(['one', 'two', 'a', 'b']);
+    expect(usePresence.getState().connected).toBe(true);
+  });
+
+  test('takes a file that holds the very text as saved: the server ended before it could say so', async () => {
+    await add('a');
+    server.files.set('a.toml', current()?.text ?? '');
+    expect(await save()).toBe(true);
+    expect(isDirty()).toBe(false);
+  });
+
   test('makes one step of key presses that follow each other', async () => {
     await add('a', 'nudge');
     await add('b', 'nudge');
@@ -68,6 +91,38 @@ describe('a document', () => {
     const before = current()?.model.components[1];
     await edit([{ op: 'rename', id: 'one', to: 'first' }]);
     expect(current()?.model.components[1]).toBe(before);
+  });
+});
+
+describe('the history', () => {
+  const model = { name: '', tick_s: 0, components: [], problems: [], runnable: true } as unknown as Model;
+  const steps = (count: number, length: number) => {
+    const text = 'x'.repeat(length);
+    return Array.from({ length: count }, (_, i) => ({ text, model, step: `${i}`, about: '', merge: '', at_ms: 0 }));
+  };
+
+  test('keeps a thousand steps of small texts, the newest', () => {
+    expect(kept(steps(5, 10))).toHaveLength(5);
+    const all = kept(steps(1005, 10));
+    expect([all.length, all[0].step, all.at(-1)?.step]).toEqual([1000, '5', '1004']);
+  });
+
+  test('keeps fewer of large texts, but always two hundred', () => {
+    expect(kept(steps(700, 100_000))).toHaveLength(640);
+    expect(kept(steps(700, 1_000_000))).toHaveLength(200);
+  });
+});
+
+describe('what an edit leaves alone', () => {
+  test('stays the same object though its lines have moved on', () => {
+    const at = (line: number) => ({ components: [{ id: 'a', line, inputs: [{ port: 'in', wires: [{ text: 'b', line }] }] }] });
+    const before = at(3);
+    expect(share(before, at(4))).toBe(before);
+  });
+
+  test('of problems the line counts', () => {
+    const at = (line: number) => ({ components: [], problems: [{ message: 'no', line }] });
+    expect(share(at(3), at(4)).problems[0].line).toBe(4);
   });
 });
 

@@ -4,7 +4,7 @@ import type { Component, Model, Operation, Output, Wire } from '../src/api/types
 export function wire(text: string): Wire {
   const previous = text.endsWith('@previous');
   const [from, output = '', element = ''] = text.replace('@previous', '').split('.');
-  return { text, from, output, element, previous, line: 1, column: 1, ok: true };
+  return { text, from, output, element, previous, ok: true };
 }
 
 export function output(name: string, elements: string[] = [], unit = ''): Output {
@@ -16,7 +16,6 @@ export function component(id: string, more: Partial<Component> = {}): Component 
     id,
     class: 'sensing',
     kind: '',
-    line: 1,
     editable: true,
     position: null,
     channel: '',

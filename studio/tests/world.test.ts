@@ -1,8 +1,9 @@
 import { describe, expect, test } from 'vitest';
-import { decodeSample, decodeSamples } from '../src/api/samples';
+import { decodeMessage, decodeSample, decodeSamples } from '../src/api/samples';
 import type { Stream } from '../src/api/types';
 import { candidatesAt } from '../src/world/drives';
-import { indexAt, Timeline } from '../src/world/timeline';
+import { indexAt, RowTrack } from '../src/world/rows';
+import { MapTrack, Timeline } from '../src/world/timeline';
 
 const row: Stream = {
   stream: 1,
@@ -84,6 +85,25 @@ describe('a sample', () => {
     new DataView(file.buffer).setUint32(one.length + 4, one.length, true);
     expect(decodeSamples(file.buffer)).toHaveLength(1);
   });
+
+  test('comes alone or bundled with others', () => {
+    const one = new Uint8Array(rowAt(1, [4]));
+    const other = new Uint8Array(rowAt(2, [5, 6]));
+    expect(decodeMessage(rowAt(3, [1]))).toHaveLength(1);
+    const bundle = new Uint8Array(16 + 8 + one.length + 8 + other.length);
+    bundle.set([5, 1]);
+    const view = new DataView(bundle.buffer);
+    view.setUint32(16, one.length, true);
+    bundle.set(one, 24);
+    view.setUint32(24 + one.length, other.length, true);
+    bundle.set(other, 32 + one.length);
+    const rows = decodeMessage(bundle.buffer).map((each) => [each.t, ...(each.kind === 'row' ? each.values : [])]);
+    expect(rows).toEqual([
+      [1, 4],
+      [2, 5, 6],
+    ]);
+    expect(decodeMessage(bundle.buffer.slice(0, -1))).toHaveLength(1);
+  });
 });
 
 describe('a timeline', () => {
@@ -116,6 +136,39 @@ describe('a timeline', () => {
     expect(values(9)).toEqual(at4);
   });
 
+  test('keeps the newest as it came and goes back to the beginning in coarser steps', () => {
+    const bytesOfRow = 8 * 4;
+    const track = new RowTrack(row, 100 * bytesOfRow);
+    for (let i = 0; i < 10_000; i += 1) track.add(i, Float64Array.of(0, 0, i));
+    expect(track.length).toBeLessThanOrEqual(100);
+    expect(track.value(0, 2)).toBe(0);
+    expect([9_999, 9_998, 9_997].map((t) => track.value(track.at(t), 2))).toEqual([9_999, 9_998, 9_997]);
+    const seen = Array.from({ length: track.length }, (_, i) => track.value(i, 2));
+    expect(seen).toEqual(track.times);
+  });
+
+  test('knows of columns that are not kept only the newest value', () => {
+    const track = new RowTrack(row, 1 << 20, (name) => name === 'x');
+    track.add(1, Float64Array.of(5, 6, 7));
+    track.add(2, Float64Array.of(8, 9, 10));
+    expect([0, 1, 2].map((column) => track.value(1, column))).toEqual([8, 9, 10]);
+    expect([0, 1, 2].map((column) => track.value(0, column))).toEqual([Number.NaN, Number.NaN, 7]);
+  });
+
+  test('folds the older half of a map that changed too often', () => {
+    const track = new MapTrack(100 * 300);
+    const add = (t: number, base: number, cells: [number, number, number][]) => {
+      const change = sample(gridAt(t, base, cells));
+      if (change.kind === 'grid') track.add(t, change.base, change.grid);
+    };
+    add(0, 0, [[0, 1, 2]]);
+    for (let i = 1; i < 1000; i += 1) add(i, i, [[1 + (i % 5), i % 251, 9]]);
+    const value = (t: number, cell: number) => track.at(t)?.values[2 * cell];
+    expect([value(999, 0), value(999, 1 + (999 % 5)), value(992, 1 + (992 % 5))]).toEqual([1, 999 % 251, 992 % 251]);
+    expect(value(0, 0)).toBe(1);
+    expect(value(0, 1)).toBeGreaterThan(0); // what was before is shown as it was folded
+  });
+
   test('tells who drives and who is suppressed', () => {
     const info = { robots: [], coordinators: [{ id: 'arbiter', candidates: ['escape', 'hold'] }], cell_m: 0 };
     const timeline = new Timeline([row], null, info);
@@ -125,4 +178,13 @@ describe('a timeline', () => {
     expect(states(0)).toEqual(['driving', 'suppressed']);
     expect(states(1)).toEqual(['silent', 'driving']);
   });
+});
+
+test('a run of which ticks are missing is told from a whole one', () => {
+  const timeline = new Timeline([row], null, null);
+  expect(timeline.isWhole(0)).toBe(false);
+  for (const t of [0, 0.5, 1, 1.5, 9.5]) timeline.add(sample(rowAt(t, [0, 0, 0])));
+  expect(timeline.isWhole(2)).toBe(true);
+  expect(timeline.isWhole(10)).toBe(false);
+  expect(timeline.bytesOf(10)).toBe(20 * 3 * 8);
 });

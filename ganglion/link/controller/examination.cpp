@@ -10,21 +10,21 @@
 namespace ganglion::link {
 namespace {
 
-constexpr double kPatience_s = 5;
+constexpr double kRetry_s = 0.1;
 constexpr int kBeats = 10;
 constexpr std::size_t kRoomBytes = std::size_t{64} << 10;
 constexpr double kSlow_s = 0.1;
 
 using Say = std::function<void(bool good, const std::string& finding)>;
 
-ControllerEndConfig watching(Carrier carrier, Encoding encoding) {
+ControllerEndConfig watching(Carrier carrier, Encoding encoding, double patience_s) {
   ControllerEndConfig config;
   config.name = "ganglion doctor";
   config.carrier = carrier;
   config.encoding = encoding;
   config.role = wire::WATCH;
   config.truth = false;
-  config.patience_s = kPatience_s;
+  config.patience_s = patience_s;
   config.beat_s = 0.05;
   return config;
 }
@@ -32,11 +32,13 @@ ControllerEndConfig watching(Carrier carrier, Encoding encoding) {
 /// One look at one robot.
 class Examination {
  public:
-  Examination(std::unique_ptr<Line> line, const Say& say) : line_(std::move(line)), say_(say), room_(kRoomBytes) {}
+  Examination(std::unique_ptr<Line> line, const Say& say, const ExaminationOptions& options)
+      : line_(std::move(line)), say_(say), options_(options), room_(kRoomBytes) {}
 
   bool run() {
     if (!reach()) return good_;
     describe();
+    compare();
     first_frame();
     answers();
     end_->bye("seen enough");
@@ -51,15 +53,24 @@ class Examination {
     say_(good, finding);
   }
 
+  bool stopped() const { return options_.stop && options_.stop(); }
+  double patience_end_s() const { return line_->now_s() + options_.patience_s; }
+
   bool reach() {
-    if (const auto reached = line_->connect(line_->now_s() + kPatience_s); !reached) {
+    const double until_s = line_->now_s() + options_.reach_s;
+    auto reached = line_->connect(patience_end_s());
+    while (!reached && line_->now_s() < until_s && !stopped()) {
+      line_->wait_until(line_->now_s() + kRetry_s);
+      reached = line_->connect(patience_end_s());
+    }
+    if (!reached) {
       tell(false, reached.error().message);
       return false;
     }
     tell(true, fmt::format("{} takes connections", line_->address()));
     if (greet(Encoding::Binary)) return true;
     const std::string reason = end_->failure()->message;
-    if (line_->carrier() == Carrier::Stream && line_->connect(line_->now_s() + kPatience_s) && greet(Encoding::Json)) {
+    if (line_->carrier() == Carrier::Stream && line_->connect(patience_end_s()) && greet(Encoding::Json)) {
       tell(true, "it answers JSON lines but no binary frames: write encoding = \"json\" in [application]");
       return true;
     }
@@ -69,7 +80,7 @@ class Examination {
   }
 
   bool greet(Encoding encoding) {
-    end_.emplace(watching(line_->carrier(), encoding));
+    end_.emplace(watching(line_->carrier(), encoding, options_.patience_s));
     end_->greet(line_->now_s());
     end_->connected(line_->now_s());
     while (!end_->done() && !end_->failure()) carry();
@@ -102,6 +113,22 @@ class Examination {
                                                  : "it can go at no pace: set lock_step or free_running in Describe");
   }
 
+  /// With the robot the controller was drawn for.
+  void compare() {
+    const auto robots = static_cast<int>(std::max(1u, end_->describe().robots()));
+    if (options_.robots > 0 && robots != options_.robots) {
+      tell(false, fmt::format("there are {} robots, the experiment has {}: set application.robots = {}", robots,
+                              options_.robots, robots));
+    }
+    if (!description_ || options_.file == nullptr) return;
+    const std::vector<Difference> found = differences(*options_.file, *description_);
+    for (const Difference& one : found) {
+      const std::string what = one.channel.empty() ? one.text : one.channel + ": " + one.text;
+      tell(!one.grave, (one.grave ? "a controller for the robot file cannot drive it: " : "it differs: ") + what);
+    }
+    if (found.empty()) tell(true, "it is the robot that the robot file describes");
+  }
+
   void first_frame() {
     if (!description_) return;
     const wire::Sense& sense = end_->sense();
@@ -131,7 +158,7 @@ class Examination {
 
   void answers() {
     std::vector<double> round_trips_s;
-    const double until_s = line_->now_s() + kPatience_s;
+    const double until_s = patience_end_s();
     while (static_cast<int>(round_trips_s.size()) < kBeats && line_->now_s() < until_s && !end_->failure()) {
       const std::uint32_t before = end_->beats_answered();
       carry();
@@ -151,6 +178,7 @@ class Examination {
 
   /// Bytes there and back, for a moment.
   void carry() {
+    if (stopped()) return end_->fail("the look at it was ended");
     if (end_->wants_connection()) return end_->fail("the connection broke");
     if (!end_->outgoing().empty()) {
       const bool sent = line_->send(end_->outgoing(), line_->now_s() + 1).has_value();
@@ -166,6 +194,7 @@ class Examination {
   std::unique_ptr<Line> line_;
   std::optional<ControllerEnd> end_;
   const Say& say_;
+  const ExaminationOptions& options_;
   std::vector<char> room_;
   std::optional<RobotDescription> description_;
   bool good_ = true;
@@ -173,6 +202,8 @@ class Examination {
 
 }  // namespace
 
-bool examine(std::unique_ptr<Line> line, const Say& say) { return Examination(std::move(line), say).run(); }
+bool examine(std::unique_ptr<Line> line, const Say& say, const ExaminationOptions& options) {
+  return Examination(std::move(line), say, options).run();
+}
 
 }  // namespace ganglion::link

@@ -4,6 +4,7 @@ namespace ganglion::link {
 namespace {
 
 constexpr std::size_t kMaxGoals = 100'000;
+constexpr auto kLastOutcome = static_cast<std::uint32_t>(sim::GoalOutcome::Replaced);
 
 sim::GoalRecord read_goal(const wire::Goal& message) {
   sim::GoalRecord goal;
@@ -63,7 +64,8 @@ Result<void> RemoteWitness::take_goals(const wire::Truth& message, Log& log) {
   log.trained = message.trained();
   log.all_done = message.goals_done();
   for (const wire::Goal& goal : message.goals()) {
-    if (goal.index() > log.goals.size() || goal.index() >= kMaxGoals || goal.outcome() > 3 || goal.reason() > 0xFF) {
+    if (goal.index() > log.goals.size() || goal.index() >= kMaxGoals || goal.outcome() > kLastOutcome ||
+        goal.reason() > 0xFF) {
       return fail(ErrorCode::BadParameter, "goal {} with outcome {}, after {} goals", goal.index(), goal.outcome(),
                   log.goals.size());
     }

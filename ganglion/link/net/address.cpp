@@ -1,5 +1,6 @@
 #include "ganglion/link/net/address.h"
 
+#include <algorithm>
 #include <charconv>
 
 #include "ganglion/base/text.h"
@@ -18,7 +19,11 @@ bool read_number(std::string_view text, Number& number) noexcept {
 Result<Address> parse_tcp(std::string_view text) {
   Address address;
   const std::size_t colon = text.rfind(':');
-  if (colon == std::string_view::npos || colon == 0 || !read_number(text.substr(colon + 1), address.port)) {
+  const bool plain = std::all_of(text.begin(), text.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           std::string_view("-._:[]%").find(c) != std::string_view::npos;
+  });
+  if (!plain || colon == std::string_view::npos || colon == 0 || !read_number(text.substr(colon + 1), address.port)) {
     return fail(ErrorCode::BadParameter,
                 "\"{}\" is no address: write tcp://HOST:PORT, as in tcp://127.0.0.1:7007, or "
                 "serial:///dev/ttyUSB0?baud=115200",

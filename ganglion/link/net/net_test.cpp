@@ -24,8 +24,9 @@ TEST(Address, IsReadAsPeopleWriteIt) {
   EXPECT_EQ(parse_address("serial:///dev/ttyACM0")->baud, 115'200u);
   EXPECT_EQ(make_line(*parse_address("serial+tcp://127.0.0.1:7007"))->carrier(), Carrier::Packets);
   EXPECT_EQ(make_line(*parse_address("tcp://127.0.0.1:7007"))->carrier(), Carrier::Stream);
-  for (const char* wrong : {"", "robot", ":7007", "tcp://a:70000", "tcp://a:", "serial://ttyUSB0",
-                            "serial:///dev/x?speed=1", "serial:///dev/x?baud=0"}) {
+  for (const char* wrong :
+       {"", "robot", ":7007", "tcp://a:70000", "tcp://a:", "http://a:80", "tcp://a/b:80", "tcp://a b:80", "a@b:80",
+        "tcp://a\n:80", "serial://ttyUSB0", "serial:///dev/x?speed=1", "serial:///dev/x?baud=0"}) {
     EXPECT_FALSE(parse_address(wrong)) << wrong;
   }
 }

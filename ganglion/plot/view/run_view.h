@@ -141,7 +141,7 @@ struct Route {
   std::vector<Vector2> points;
 };
 
-enum class GoalState : std::uint8_t { Pending, Reached, Withdrawn, TimedOut };
+enum class GoalState : std::uint8_t { Pending, Reached, Withdrawn, TimedOut, Replaced };
 
 struct GoalView {
   Vector2 place{};  ///< Centre of the requested cell.

@@ -143,6 +143,13 @@ class Sensor {
   }
   /// What it keeps of its goals, if it is a trainer.
   virtual const TrainerLog* trainer_log() const noexcept { return nullptr; }
+  /// Somebody sets a goal at a point of the world, between ticks. Gives the point that counts. Fails unless it is a
+  /// trainer that can set that goal.
+  virtual Result<Vector2> set_goal(const Scene&, Vector2) {
+    return fail(ErrorCode::Unsupported, "this sensor sets no goals");
+  }
+  /// What it says at once of a goal that was set so; `values` as in measure().
+  virtual void tell_goal(const Scene&, std::span<double> values) const noexcept { static_cast<void>(values); }
 };
 
 /// A kind's descriptor lists the channels as its Output ports.

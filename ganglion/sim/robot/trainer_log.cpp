@@ -5,7 +5,7 @@
 namespace ganglion::sim {
 
 std::string_view name_of(GoalOutcome outcome) noexcept {
-  constexpr std::array<std::string_view, 4> kNames = {"open", "reached", "withdrawn", "timed_out"};
+  constexpr std::array<std::string_view, 5> kNames = {"open", "reached", "withdrawn", "timed_out", "replaced"};
   return kNames[static_cast<std::size_t>(outcome)];
 }
 

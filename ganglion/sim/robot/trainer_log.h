@@ -16,6 +16,7 @@ enum class GoalOutcome : std::uint8_t {
   Reached,    ///< The robot stood in the goal's cell.
   Withdrawn,  ///< The controller gave it up.
   TimedOut,   ///< The trainer's patience ran out.
+  Replaced,   ///< Somebody set another goal instead.
 };
 std::string_view name_of(GoalOutcome) noexcept;
 

@@ -10,6 +10,7 @@
 #include "ganglion/sim/simulation/body.h"
 #include "ganglion/sim/simulation/crowd.h"
 #include "ganglion/sim/simulation/device.h"
+#include "ganglion/sim/simulation/intervention.h"
 #include "ganglion/sim/simulation/lookout.h"
 #include "ganglion/sim/simulation/spawn.h"
 
@@ -43,6 +44,12 @@ class Simulation final : public Application, public Witness {
   void sense(std::span<SenseFrame> frames) noexcept override;
   void step(std::span<const ActFrame> frames, double step_s) noexcept override;
 
+  /// Something is done to the running world: after reset(), between ticks. A goal is in the frames of the next sense();
+  /// a mover stands there at once, and stays (see World::put_mover()); sensors see it at their next firing. Draws
+  /// nothing. Fails, and does nothing, with NotFound for an unknown robot or mover, Unsupported without a trainer,
+  /// BadParameter where it cannot be, TooLarge for too many goals. Takes memory.
+  Result<Intervened> intervene(const Intervention& intervention);
+
   std::uint32_t tick() const noexcept { return tick_; }
   double time_s() const noexcept { return time_s_; }
   const Truth& truth(int robot) const noexcept override { return bodies_[static_cast<std::size_t>(robot)].truth(); }
@@ -57,6 +64,8 @@ class Simulation final : public Application, public Witness {
   explicit Simulation(SimulationConfig config, Spawner spawner);
   Result<void> add_bodies();
   Result<void> add_devices();
+  Result<Intervened> set_goal(const SetGoal& wish);
+  Result<Intervened> put_mover(const PutMover& wish);
   void prepare();
   /// Of all sensations of a robot, in the order of frames.
   std::span<double> values_of(std::size_t robot) noexcept {

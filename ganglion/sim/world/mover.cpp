@@ -35,6 +35,7 @@ void World::reset(std::uint64_t seed, std::uint32_t episode) noexcept {
 void World::advance(std::uint32_t tick, double time_s, double step_s, std::span<const Disc> robots) noexcept {
   expects(step_s >= 0);
   for (std::size_t i = 0; i < movers_.size(); ++i) {
+    if (errands_[i].held) continue;
     if (ground_->movers()[i].stroll) {
       stroll(i, time_s, step_s, robots);
     } else if (!ground_->movers()[i].path.empty()) {
@@ -93,15 +94,18 @@ void World::put(std::size_t mover, const Pose2& pose) noexcept {
 
 /// Neither a robot nor another mover stands there. Instead of moving it, everything else is seen from it.
 bool World::free_for(std::size_t mover, const Pose2& pose, std::span<const Disc> robots) const noexcept {
-  const Pose2& present = movers_[mover].pose;
-  for (const Disc& robot : robots) {
-    const Vector2 seen = present.to_outer(pose.to_local(robot.position));
-    if (mover_contains(mover, seen) || distance_to(mover, seen) < robot.radius_m + kMargin_m) return false;
+  if (std::any_of(robots.begin(), robots.end(), [&](const Disc& robot) { return meets(mover, pose, robot); })) {
+    return false;
   }
   for (std::size_t other = 0; other < movers_.size(); ++other) {
     if (other != mover && overlaps(mover, pose, other)) return false;
   }
   return true;
+}
+
+bool World::meets(std::size_t mover, const Pose2& pose, const Disc& robot) const noexcept {
+  const Vector2 seen = movers_[mover].pose.to_outer(pose.to_local(robot.position));
+  return mover_contains(mover, seen) || distance_to(mover, seen) < robot.radius_m + kMargin_m;
 }
 
 bool World::overlaps(std::size_t mover, const Pose2& pose, std::size_t other) const noexcept {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ganglion/base/result.h"
 #include "ganglion/geometry/pose2.h"
 #include "ganglion/sim/world/ground.h"
 #include "ganglion/sim/world/sweep.h"
@@ -33,6 +34,11 @@ class World {
   /// path waits before one, and one that wants to jump while every other place is taken tries again at the next call.
   /// Draws depend on (seed, episode, mover's id, tick) only.
   void advance(std::uint32_t tick, double time_s, double step_s, std::span<const Disc> robots) noexcept;
+
+  /// Somebody puts a mover elsewhere, its yaw as it was, between two advances. There it stays; one that strolls goes on
+  /// from there (ours). Fails with BadParameter where it would overlap the ground, a robot or another mover, or lie
+  /// outside of the bounds.
+  Result<void> put_mover(std::size_t mover, Vector2 point, std::span<const Disc> robots);
 
   /// The nearest surface along a ray within max_range_m (which may be +inf). Rays touch segments at their ends and run
   /// past those they are parallel to. A ray that begins inside a solid hits at once: range 0, normal against the ray.
@@ -73,6 +79,7 @@ class World {
     double pause_s = 0;       ///< At that goal.
     double resume_s = 0;      ///< A stroll stands until then.
     std::uint32_t goals = 0;  ///< How often goals were drawn.
+    bool held = false;        ///< Somebody put it where it is.
   };
   void put(std::size_t mover, const Pose2& pose) noexcept;
   void jump(std::size_t mover, std::uint32_t tick, double time_s, std::span<const Disc> robots) noexcept;
@@ -81,6 +88,8 @@ class World {
   /// Draws a goal to which nothing stands in the way; false if none was found.
   bool choose_goal(std::size_t mover, std::span<const Disc> robots) noexcept;
   bool free_for(std::size_t mover, const Pose2& pose, std::span<const Disc> robots) const noexcept;
+  bool meets(std::size_t mover, const Pose2& pose, const Disc& robot) const noexcept;
+  bool meets_ground(std::size_t mover, const Pose2& pose) const noexcept;
   bool overlaps(std::size_t mover, const Pose2& pose, std::size_t other) const noexcept;
   bool way_free(std::size_t mover, Vector2 displacement, std::span<const Disc> robots) const noexcept;
   /// Corners of a mover in the world; empty for discs.

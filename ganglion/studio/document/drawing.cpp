@@ -88,6 +88,15 @@ std::map<int, Owner> owners_of(const Drawing& drawing) {
   return owners;
 }
 
+/// The input that is not wired stands on no line of its own; the message names it, behind the component's id.
+std::string missing_input(const Error& error) {
+  constexpr std::string_view kBefore = "input \"", kAfter = "\" is not wired";
+  const std::size_t at = error.message.find(kBefore);
+  const std::size_t end = error.message.find(kAfter, at);
+  if (error.code != ErrorCode::BadWire || at == std::string::npos || end == std::string::npos) return "";
+  return "in." + error.message.substr(at + kBefore.size(), end - at - kBefore.size());
+}
+
 void assign(Drawing& drawing, const Problems& problems) {
   const std::map<int, Owner> owners = owners_of(drawing);
   for (const Error& error : problems.sorted()) {
@@ -98,6 +107,7 @@ void assign(Drawing& drawing, const Problems& problems) {
       problem.component = found->second.component;
       problem.key = found->second.key;
     }
+    if (problem.key.empty() && !problem.component.empty()) problem.key = missing_input(error);
     drawing.problems.push_back(std::move(problem));
   }
 }

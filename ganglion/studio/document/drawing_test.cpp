@@ -73,6 +73,13 @@ TEST(Drawing, PointsAtTheComponentAndPortOfAProblem) {
   EXPECT_FALSE(model["runnable"]);
 }
 
+TEST(Drawing, NamesTheInputThatIsNotWired) {
+  const Json model = opened(with(nimrod(), "in.right = \"clear_right.range\"\nin.heading", "in.heading"));
+  ASSERT_EQ(model["problems"].size(), 1u);
+  EXPECT_EQ(model["problems"][0]["component"], "escape");
+  EXPECT_EQ(model["problems"][0]["port"], "right");
+}
+
 TEST(Drawing, DrawsABrokenFileButForItsBrokenLines) {
   std::string text = with(nimrod(), "in.left = \"clear_left.range\"\n", "in.left = \"clear_left.range\nnonsense\n");
   text = with(text, "kind = \"AvoidObstacle\"", "kind = \"AvoidObstacel\"");

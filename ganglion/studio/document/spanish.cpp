@@ -52,6 +52,8 @@ constexpr auto kPhrases = std::to_array<Phrase>({
     {"kind is missing{}", "falta kind{0}"},
     {"\"{}\" is a kind of {}; write it under [[{}]], not [[{}]]",
      "\"{0}\" es un tipo de {1}; escríbalo en [[{2}]], no en [[{3}]]"},
+    {"\"{}\" is no kind of {}; did you mean \"{}\"?", "\"{0}\" no es un tipo de {1}; ¿quiso decir \"{2}\"?"},
+    {"\"{}\" is no kind of {}; valid: {}", "\"{0}\" no es un tipo de {1}; válidos: {2}"},
     {"\"{}\" is no kind of {}", "\"{0}\" no es un tipo de {1}"},
     {"acting module", "módulo de actuación"},
     {"sensing module", "módulo de detección"},
@@ -135,7 +137,37 @@ constexpr auto kPhrases = std::to_array<Phrase>({
     {"input \"{}\" is not wired", "la entrada \"{0}\" no está conectada"},
     {"no wire comes from \"{}\" to input \"{}\"", "ningún cable va de \"{0}\" a la entrada \"{1}\""},
     {"the pasted text holds no component", "el texto pegado no contiene ningún componente"},
-    // values; the most general at last
+    // reaching into a running world
+    {"the run is not going; nothing can be done to its world now",
+     "la ejecución no está en marcha; ahora no se puede hacer nada en su mundo"},
+    {"the present tick takes too long; nothing was done", "el ciclo actual tarda demasiado; no se hizo nada"},
+    {"{} others wait to be done", "hay otras {0} en espera"},
+    {"robot must be a whole number from 0 on", "robot debe ser un número entero desde 0"},
+    {"x_m and y_m must be numbers", "x_m e y_m deben ser números"},
+    {"the robots are at the other end of a link; goals and obstacles can only be set in a world that is simulated here",
+     "los robots están al otro extremo de un enlace; solo se pueden fijar objetivos y obstáculos en un mundo simulado "
+     "aquí"},
+    {"there is no robot {}: they are numbered from 0 to {}", "no existe el robot {0}: se numeran de 0 a {1}"},
+    {"the robot has no trainer that could set it a goal",
+     "el robot no tiene ningún entrenador que le fije un objetivo"},
+    {"({}, {}) lies outside of the world, from ({}, {}) to ({}, {})",
+     "({0}, {1}) está fuera del mundo, que va de ({2}, {3}) a ({4}, {5})"},
+    {"cell ({}, {}) at ({}, {}) cannot be a goal: there is no room for the robot at its centre",
+     "la celda ({0}, {1}) en ({2}, {3}) no puede ser el objetivo: el robot no cabe en su centro"},
+    {"cell ({}, {}) at ({}, {}) is the goal already", "la celda ({0}, {1}) en ({2}, {3}) ya es el objetivo"},
+    {"{} goals have been set in this run; the limit is {}",
+     "ya se fijaron {0} objetivos en esta ejecución; el límite es {1}"},
+    {"\"{}\" of robot {} is broken since {} s: it would tell nobody of the goal",
+     "\"{0}\" del robot {1} está averiado desde {2} s: no comunicaría el objetivo a nadie"},
+    {"the world has no mover \"{}\"{}", "el mundo no tiene el obstáculo móvil \"{0}\"{1}"},
+    {"\"{}\" cannot stand at ({}, {}): {}", "\"{0}\" no puede estar en ({1}, {2}): {3}"},
+    {"a wall or something solid is there", "hay una pared o algo sólido"},
+    {"robot {} is there", "está el robot {0}"},
+    {"\"{}\" is there", "está \"{0}\""},
+});
+
+/// Values; the most general sentences.
+constexpr auto kGeneral = std::to_array<Phrase>({
     {"a number", "un número"},
     {"a whole number", "un número entero"},
     {"true or false", "true o false"},
@@ -159,6 +191,16 @@ constexpr auto kPhrases = std::to_array<Phrase>({
 
 }  // namespace
 
-std::span<const Phrase> spanish_phrases() noexcept { return kPhrases; }
+const std::vector<Phrase>& spanish_phrases() {
+  static const std::vector<Phrase> all = [] {
+    std::vector<Phrase> phrases(kPhrases.begin(), kPhrases.end());
+    const auto add = [&](std::span<const Phrase> more) { phrases.insert(phrases.end(), more.begin(), more.end()); };
+    add(spanish_of_files());
+    add(spanish_of_links());
+    add(kGeneral);
+    return phrases;
+  }();
+  return all;
+}
 
 }  // namespace ganglion::studio

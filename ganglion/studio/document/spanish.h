@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace ganglion::studio {
 
@@ -11,7 +12,12 @@ struct Phrase {
   std::string_view es;
 };
 
-/// The more special before the more general: the first that fits counts.
-std::span<const Phrase> spanish_phrases() noexcept;
+/// Of a look at a robot and of the link to it.
+std::span<const Phrase> spanish_of_links() noexcept;
+/// Of files, experiments, worlds, log lines, and of what the page may ask.
+std::span<const Phrase> spanish_of_files() noexcept;
+
+/// All, the more special before the more general: the first that fits counts.
+const std::vector<Phrase>& spanish_phrases();
 
 }  // namespace ganglion::studio

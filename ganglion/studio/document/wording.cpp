@@ -9,7 +9,7 @@
 namespace ganglion::studio {
 namespace {
 
-constexpr int kDeepest = 3;
+constexpr int kDeepest = 5;
 constexpr std::size_t kLongest = 20'000;
 
 /// What stands at each {} of a pattern; none where the message is no such sentence. Each takes as little as it can, so
@@ -48,7 +48,8 @@ std::string filled(std::string_view pattern, const std::vector<std::string_view>
     }
     const auto index = static_cast<std::size_t>(pattern[1] - '0');
     const std::string_view piece = index < pieces.size() ? pieces[index] : std::string_view();
-    result += in_spanish(piece, depth + 1).value_or(std::string(piece));
+    const bool quoted = result.ends_with('"') && pattern.substr(3).starts_with('"');  // a name, which stays what it is
+    result += quoted ? std::string(piece) : in_spanish(piece, depth + 1).value_or(std::string(piece));
     pattern.remove_prefix(3);
   }
   return result;

@@ -27,6 +27,29 @@ TEST(Wording, LeavesWhatItDoesNotKnowAsItIs) {
             "robot is missing: name the robot.toml it is drawn for");
 }
 
+TEST(Wording, KnowsTheEndsOfSentences) {
+  EXPECT_EQ(spanish("\"Escpe\" is no kind of acting module; did you mean \"Escape\"?"),
+            "\"Escpe\" no es un tipo de módulo de actuación; ¿quiso decir \"Escape\"?");
+  EXPECT_EQ(spanish("the robot has no channel \"x\"; did you mean \"y\"?"),
+            "el robot no tiene el canal \"x\"; ¿quiso decir \"y\"?");
+}
+
+TEST(Wording, LeavesNamesAsTheyAre) {
+  EXPECT_EQ(spanish("\"goal\" has no outputs"), "\"goal\" no tiene salidas") << "an id, not the class of goals";
+}
+
+TEST(Wording, FollowsASentenceIntoTheSentencesWithinIt) {
+  EXPECT_EQ(spanish("tcp://127.0.0.1:7007: the robot said goodbye: the simulation was ended"),
+            "tcp://127.0.0.1:7007: el robot se despidió: se terminó la simulación");
+  EXPECT_EQ(spanish("tcp://a:1: no answer for 10 s: is the robot switched on, and nobody else's?"),
+            "tcp://a:1: sin respuesta durante 10 s: ¿está el robot encendido y no lo usa nadie más?");
+  EXPECT_EQ(spanish("it differs: sonar: max: the robot has 3, the file 6"),
+            "difiere: sonar: max: el robot tiene 3, el archivo 6");
+  EXPECT_EQ(spanish("it is \"Nimrod\", 1 robot, 0.3 m long and 0.2 m wide, a tick each 0.1 s"),
+            "es \"Nimrod\", 1 robot(s), de 0.3 m de largo y 0.2 m de ancho, un ciclo cada 0.1 s");
+  EXPECT_EQ(spanish("goal 2 at cell 3, -4: reached"), "objetivo 2 en la celda 3, -4: alcanzado");
+}
+
 TEST(Wording, TakesNoLongerThanTheMessageIsLong) {
   const std::string hostile(19'000, '"');
   EXPECT_EQ(spanish("x is " + hostile).size(), spanish("x is " + hostile).size());

@@ -84,6 +84,7 @@ Json Listing::read(const fs::path& file, const std::string& name, std::string& l
   entry["duration_s"] = experiment.duration_s;
   entry["seed"] = experiment.seed;
   entry["address"] = experiment.link.address;
+  entry["program"] = !experiment.link.program.empty();
   entry["problems"] = problems.size();
   return entry;
 }

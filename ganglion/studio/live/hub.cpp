@@ -44,9 +44,19 @@ std::optional<Outgoing> Viewer::next() {
   }
   if (auto state = next_state()) return state;
   if (rows_.empty()) return std::nullopt;
-  Outgoing row{std::move(rows_.front()), true};
-  rows_.pop_front();
-  return row;
+  return next_rows();
+}
+
+Outgoing Viewer::next_rows() {
+  std::vector<std::shared_ptr<const std::string>> rows;
+  std::size_t bytes = 0;
+  do {
+    bytes += rows_.front()->size();
+    rows.push_back(std::move(rows_.front()));
+    rows_.pop_front();
+  } while (bundles_ && !rows_.empty() && bytes + rows_.front()->size() <= kBundleBytes);
+  if (rows.size() == 1) return {std::move(rows.front()), true};
+  return {std::make_shared<const std::string>(bundle_sample(rows)), true};
 }
 
 /// A map, route or mover that he has an older state of.

@@ -243,5 +243,27 @@ TEST_F(HubTest, TellsThinlyWhereARunIsFasterThanItIsLookedAt) {
   EXPECT_EQ(ticks, (std::vector<std::uint32_t>{496, 497, 498, 499}));
 }
 
+TEST_F(HubTest, PutsRowsThatWaitTogetherIntoOneMessageForWhoAsksForIt) {
+  Viewer viewer(hub_, [] {});
+  viewer.bundle_rows();
+  viewer.next();
+  for (std::uint32_t tick = 7; tick < 9; ++tick) row(tick);
+  hub_.drain();
+  viewer.next();  // the streams
+  const auto out = viewer.next();
+  ASSERT_TRUE(out);
+  EXPECT_EQ(out->bytes->size(), 16u + 2 * (8 + 32)) << "a row of one value has 16 + 8 + 8 bytes";
+  EXPECT_EQ(at<std::uint8_t>(*out->bytes, 0), 5);
+  for (const std::size_t start : {std::size_t{16}, std::size_t{56}}) {
+    EXPECT_EQ(at<std::uint64_t>(*out->bytes, start), 32u);
+    EXPECT_EQ(at<std::uint8_t>(*out->bytes, start + 8), 1);
+    EXPECT_EQ(at<std::uint32_t>(*out->bytes, start + 8 + 16), start == 16 ? 7u : 8u);
+  }
+  EXPECT_FALSE(viewer.next());
+  row(9);
+  hub_.drain();
+  EXPECT_EQ(at<std::uint8_t>(*viewer.next()->bytes, 0), 1) << "one row needs no bundle";
+}
+
 }  // namespace
 }  // namespace ganglion::studio

@@ -1,6 +1,8 @@
 #include "ganglion/studio/live/messages.h"
 
 #include "ganglion/base/json_depth.h"
+#include "ganglion/run/interference.h"
+#include "ganglion/studio/document/wording.h"
 
 namespace ganglion::studio {
 namespace {
@@ -27,14 +29,16 @@ std::optional<SampleKind> sample_kind_of(std::string_view schema) noexcept {
 
 std::optional<RunEvent> event_of(std::string_view topic, std::string_view schema, double time_s,
                                  std::string_view json) {
-  const bool goal = schema == "ganglion.Goal";
-  if (!goal && schema != "foxglove.Log") return std::nullopt;
+  const bool goal = schema == "ganglion.Goal", intervention = schema == kInterventionSchema;
+  if (!goal && !intervention && schema != "foxglove.Log") return std::nullopt;
   Json content = parsed(json);
   if (!content.is_object()) return std::nullopt;
   content.erase("timestamp");
   content["time_s"] = time_s;
   if (goal) content["robot"] = robot_of(topic);
-  return RunEvent{goal ? "goal" : "log", std::move(content)};
+  const std::string name = goal ? "goal" : intervention ? "intervention" : "log";
+  if (name == "log") content["message_es"] = worded(content.value("message", ""), Language::Spanish);
+  return RunEvent{name, std::move(content)};
 }
 
 Json parsed(std::string_view text) {

@@ -6,11 +6,14 @@
 #include "ganglion/plot/from_run_file.h"
 #include "ganglion/record/run_file.h"
 #include "ganglion/report/report.h"
+#include "ganglion/studio/document/wording.h"
 
 namespace ganglion::studio {
 namespace {
 
 constexpr auto kMeasure = std::chrono::milliseconds(500);
+constexpr auto kPatience = std::chrono::seconds(5);  // for a tick to end
+constexpr std::size_t kMostWishes = 16;
 
 Json numbers(const std::vector<std::pair<std::string, double>>& measures) {
   Json json = Json::object();
@@ -19,25 +22,47 @@ Json numbers(const std::vector<std::pair<std::string, double>>& measures) {
 }
 
 /// The report beside the run file. What cannot be drawn is said in the outcome; the run counts all the same.
-std::string write_report(const std::filesystem::path& run_file) {
+Result<void> write_report(const std::filesystem::path& run_file) {
   const auto file = RunFile::read(run_file);
-  if (!file) return file.error().text();
+  if (!file) return tl::unexpected<Error>(file.error());
   std::filesystem::path page = run_file;
   page.replace_extension(".html");
-  const auto written = report::write_report(plot::from_run_file(*file), page);
-  return written ? std::string() : written.error().text();
+  return report::write_report(plot::from_run_file(*file), page);
+}
+
+}  // namespace
+
+namespace {
+
+/// An error in both languages: {member: ..., member_es: ...}.
+void tell(Json& outcome, const std::string& member, Error error, bool with_place) {
+  outcome[member] = with_place ? error.text() : error.message;
+  error.message = worded(error.message, Language::Spanish);
+  outcome[member + "_es"] = with_place ? error.text() : error.message;
+}
+
+/// The run words what it says itself; what the robot's end of a link says is in our dictionary.
+std::string spanish_reason(const RunResult& result) {
+  std::string reason = result.reason_es;
+  if (!result.link_lost) return reason;
+  const std::size_t at = reason.find(result.link_lost->message);
+  if (at == std::string::npos) return reason;
+  return reason.replace(at, result.link_lost->message.size(), worded(result.link_lost->message, Language::Spanish));
 }
 
 }  // namespace
 
 Json outcome_json(const RunResult& result, const std::string& file) {
-  return {{"success", result.success},
-          {"reason", result.reason},
-          {"reason_es", result.reason_es},
-          {"digest", result.digest},
-          {"measures", numbers(result.measures)},
-          {"file", file},
-          {"error", result.record_error ? Json(result.record_error->text()) : Json()}};
+  Json outcome = {{"success", result.success},
+                  {"reason", result.reason},
+                  {"reason_es", spanish_reason(result)},
+                  {"digest", result.digest},
+                  {"interventions", result.interventions},
+                  {"measures", numbers(result.measures)},
+                  {"file", file},
+                  {"error", nullptr}};
+  if (result.record_error) tell(outcome, "error", *result.record_error, true);
+  return outcome;
 }
 
 RunSession::RunSession(std::string id, std::shared_ptr<const Prepared> prepared, RunPlan plan,
@@ -88,6 +113,47 @@ bool RunSession::over() const {
   return phase_ == "done";
 }
 
+Result<sim::Intervened> RunSession::intervene(const sim::Intervention& what) {
+  if (prepared_->experiment.link.remote()) {
+    return fail(ErrorCode::Unsupported,
+                "the robots are at the other end of a link; goals and obstacles can only be set in a world that is "
+                "simulated here");
+  }
+  Wish wish{&what, std::nullopt};
+  std::unique_lock lock(mutex_);
+  if (!reachable_) return fail(ErrorCode::BadParameter, "{}", kNoTickToCome);
+  if (wishes_.size() >= kMostWishes) return fail(ErrorCode::TooLarge, "{} others wait to be done", wishes_.size());
+  wishes_.push_back(&wish);
+  wake_.notify_all();
+  const auto answered = [&] { return wish.answer.has_value(); };
+  if (!answered_.wait_for(lock, kPatience, answered)) {
+    if (std::erase(wishes_, &wish) > 0) return fail(ErrorCode::BadParameter, "{}", kTickTooLong);
+    answered_.wait(lock, answered);  // it is being done
+  }
+  return *wish.answer;
+}
+
+/// Between ticks: does what others wait for.
+void RunSession::grant(std::unique_lock<std::mutex>& lock) {
+  while (!wishes_.empty()) {
+    Wish& wish = *wishes_.front();
+    wishes_.pop_front();
+    lock.unlock();
+    auto answer = reach_(*wish.what);
+    lock.lock();
+    wish.answer = std::move(answer);
+    answered_.notify_all();
+  }
+}
+
+void RunSession::refuse_wishes() {
+  const std::lock_guard lock(mutex_);
+  reachable_ = false;
+  for (Wish* wish : wishes_) wish->answer = fail(ErrorCode::BadParameter, "{}", kNoTickToCome);
+  wishes_.clear();
+  answered_.notify_all();
+}
+
 void RunSession::carry_out() {
   RunOptions options;
   options.seed = plan_.seed;
@@ -98,10 +164,13 @@ void RunSession::carry_out() {
     const std::lock_guard lock(mutex_);
     return stop_;
   };
+  options.reach = [this](Reach reach) { reach_ = std::move(reach); };
   options.armed = [this] {
     feed_->arm();
+    if (plan_.drawn) plan_.drawn->remove();
     std::unique_lock lock(mutex_);
     phase_ = "armed";
+    reachable_ = true;
     changed_();
     due_ = measured_at_ = Clock::now();
     const bool begins = wait(lock);
@@ -110,6 +179,7 @@ void RunSession::carry_out() {
     return begins;
   };
   const auto result = run(*prepared_, options);
+  refuse_wishes();
   while (!feed_->flush()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   conclude(result);
 }
@@ -118,10 +188,11 @@ void RunSession::carry_out() {
 bool RunSession::wait(std::unique_lock<std::mutex>& lock) {
   bool told = false;
   while (!stop_) {
+    grant(lock);
     if (paused_ && steps_ == 0) {
       if (!told) changed_();  // it stands still now
       told = true;
-      wake_.wait(lock);
+      if (!stop_ && wishes_.empty()) wake_.wait(lock);
       due_ = Clock::now();
       continue;
     }
@@ -153,13 +224,16 @@ bool RunSession::between_ticks(double share) {
 
 void RunSession::conclude(const Result<RunResult>& result) {
   Json outcome;
+  if (plan_.drawn) plan_.drawn->remove();
   if (result) {
     outcome = outcome_json(*result, plan_.run_file.empty() ? "" : plan_.run_name);
     if (!plan_.run_file.empty() && !result->record_error) {
-      if (const std::string problem = write_report(plan_.run_file); !problem.empty()) outcome["error"] = problem;
+      if (const auto written = write_report(plan_.run_file); !written) tell(outcome, "error", written.error(), true);
     }
   } else {
-    outcome = {{"success", false}, {"reason", result.error().message}, {"error", result.error().text()}};
+    outcome = {{"success", false}};
+    tell(outcome, "reason", result.error(), false);
+    tell(outcome, "error", result.error(), true);
   }
   {
     const std::lock_guard lock(mutex_);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <condition_variable>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -10,21 +11,27 @@
 #include <thread>
 
 #include "ganglion/run/run.h"
+#include "ganglion/studio/live/drawn_file.h"
 #include "ganglion/studio/live/feed.h"
 
 namespace ganglion::studio {
 
 using Json = nlohmann::ordered_json;
 
+/// Why nothing can be done to a run's world.
+inline constexpr std::string_view kNoTickToCome = "the run is not going; nothing can be done to its world now";
+inline constexpr std::string_view kTickTooLong = "the present tick takes too long; nothing was done";
+
 /// What the page says of a run besides what the run file will.
 struct RunPlan {
   std::string experiment;  ///< Path, from the folder on.
   std::string controller;
   std::uint64_t seed = 1;
-  double pace = 1;                 ///< Times real time; 0 = as fast as can be.
-  bool paused = false;             ///< Waits before the first tick.
-  std::filesystem::path run_file;  ///< Empty: not recorded.
-  std::string run_name;            ///< The same from the folder on.
+  double pace = 1;                         ///< Times real time; 0 = as fast as can be.
+  bool paused = false;                     ///< Waits before the first tick.
+  std::filesystem::path run_file;          ///< Empty: not recorded.
+  std::string run_name;                    ///< The same from the folder on.
+  std::shared_ptr<const DrawnFile> drawn;  ///< Removed when the run has taken its files in. Null: none.
 };
 
 /// One run on a thread of its own, which can be paused, stepped and stopped between ticks. Commands may come from any
@@ -48,6 +55,10 @@ class RunSession {
   /// Of a run that is over as well: should it be started again, it goes at that pace.
   void set_pace(double pace);
   bool over() const;
+  /// Has something done to the running world before its next tick, also while the run is held, and waits until that is
+  /// done or refused. Fails with what the simulation says, with NotRunning where no tick will come, or with TooLarge
+  /// where too many others wait.
+  Result<sim::Intervened> intervene(const sim::Intervention& what);
 
   /// docs/studio_api.md, RunState.
   Json state() const;
@@ -63,6 +74,13 @@ class RunSession {
   void conclude(const Result<RunResult>& result);
   template <class Change>
   bool change(Change&& what);
+  /// An intervention that somebody waits for.
+  struct Wish {
+    const sim::Intervention* what;
+    std::optional<Result<sim::Intervened>> answer;
+  };
+  void grant(std::unique_lock<std::mutex>& lock);
+  void refuse_wishes();
 
   const std::string id_;
   const std::shared_ptr<const Prepared> prepared_;
@@ -76,6 +94,10 @@ class RunSession {
   bool stop_ = false;
   bool paused_ = false;
   std::uint32_t steps_ = 0;
+  Reach reach_;
+  bool reachable_ = false;    ///< The run's thread comes by for wishes.
+  std::deque<Wish*> wishes_;  ///< Not taken yet; each belongs to who waits for it.
+  std::condition_variable answered_;
   double share_ = 0;
   Clock::time_point due_{};  ///< When the next tick may begin.
   Clock::time_point measured_at_{};

@@ -68,9 +68,11 @@ std::string_view name_of(SampleKind kind) noexcept {
     case SampleKind::Path:
       return "path";
     case SampleKind::Movers:
+      return "movers";
+    case SampleKind::Bundle:
       break;
   }
-  return "movers";
+  return "bundle";
 }
 
 bool GridState::take(std::string_view text, std::uint32_t seq) {
@@ -162,6 +164,18 @@ std::optional<std::string> path_sample(const SampleHead& head, std::string_view 
 
 std::string movers_sample(const SampleHead& head, std::string_view json) {
   return begin(SampleKind::Movers, head, json.size()).append(json);
+}
+
+std::string bundle_sample(std::span<const std::shared_ptr<const std::string>> samples) {
+  constexpr std::size_t kAlign = 8;
+  std::size_t payload = 0;
+  for (const auto& sample : samples) payload += 2 * kAlign + sample->size();
+  std::string out = begin(SampleKind::Bundle, {}, payload);
+  for (const auto& sample : samples) {
+    put(out, static_cast<std::uint64_t>(sample->size()));
+    out.append(*sample).append((kAlign - sample->size() % kAlign) % kAlign, '\0');
+  }
+  return out;
 }
 
 }  // namespace ganglion::studio

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,7 +13,7 @@
 namespace ganglion::studio {
 
 /// What a binary message to the page holds (docs/studio_api.md, Samples).
-enum class SampleKind : std::uint8_t { Row = 1, Grid = 2, Path = 3, Movers = 4 };
+enum class SampleKind : std::uint8_t { Row = 1, Grid = 2, Path = 3, Movers = 4, Bundle = 5 };
 std::string_view name_of(SampleKind kind) noexcept;
 
 struct SampleHead {
@@ -47,5 +48,7 @@ std::string row_sample(const SampleHead& head, std::uint32_t tick, std::span<con
 /// Of a ganglion.Path message; none where it is none.
 std::optional<std::string> path_sample(const SampleHead& head, std::string_view json);
 std::string movers_sample(const SampleHead& head, std::string_view json);
+/// Several samples in one message, each begun at a multiple of eight bytes, so that its numbers can be used in place.
+std::string bundle_sample(std::span<const std::shared_ptr<const std::string>> samples);
 
 }  // namespace ganglion::studio

@@ -6,6 +6,7 @@
 #include "ganglion/base/json_depth.h"
 #include "ganglion/descriptor/kinds_json.h"
 #include "ganglion/kinds/kinds.h"
+#include "ganglion/studio/document/wording.h"
 
 namespace ganglion::studio {
 
@@ -26,6 +27,8 @@ const std::map<std::string, std::pair<std::string_view, Api::Route>>& Api::route
       {"/api/document/may_connect", {"POST", &Api::ask_connection}},
       {"/api/document/targets", {"POST", &Api::list_targets}},
       {"/api/document/copy", {"POST", &Api::copy_components}},
+      {"/api/link/test", {"POST", &Api::test_link}},
+      {"/api/link", {"GET", &Api::link_test}},
       {"/api/run", {"GET", &Api::run_state}},
       {"/api/run/start", {"POST", &Api::start_run}},
       {"/api/run/pause", {"POST", &Api::pause_run}},
@@ -34,6 +37,8 @@ const std::map<std::string, std::pair<std::string_view, Api::Route>>& Api::route
       {"/api/run/stop", {"POST", &Api::stop_run}},
       {"/api/run/reset", {"POST", &Api::reset_run}},
       {"/api/run/pace", {"POST", &Api::pace_run}},
+      {"/api/run/goal", {"POST", &Api::set_goal}},
+      {"/api/run/obstacle", {"POST", &Api::put_obstacle}},
       {"/api/recording/open", {"POST", &Api::open_recording}},
       {"/api/recording/samples", {"POST", &Api::recording_samples}},
       {"/api/recording/report", {"GET", &Api::recording_report}},
@@ -51,21 +56,25 @@ Reply Api::handle(const Call& call) {
   if (method == "POST") {
     if (!json_has_few_keys(call.body)) return failure("TooLarge", "an object of the body has too many keys", 413);
     ask.body = call.body.empty() ? Json::object() : parsed(call.body);
-    if (!ask.body.is_object()) return failure("BadRequest", "the body must be a JSON object", 400);
+    if (!ask.body.is_object()) return ask.refuse("BadRequest", "the body must be a JSON object", 400);
   }
   if (ask.text("language") == "es") ask.language = Language::Spanish;
   try {
     return (this->*answer)(ask);
   } catch (const nlohmann::json::exception&) {  // how the library says that a member is of another type
-    return failure("BadRequest", "a member of the body is of another type than it should be", 400);
+    return ask.refuse("BadRequest", "a member of the body is of another type than it should be", 400);
   } catch (const std::bad_alloc&) {
-    return failure("TooLarge", "there is not enough memory for that", 413);
+    return ask.refuse("TooLarge", "there is not enough memory for that", 413);
   }
 }
 
 std::string Api::Ask::text(const char* key) const {
   const auto found = body.find(key);
   return found != body.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+Reply Api::Ask::refuse(std::string_view code, std::string_view message, unsigned status, const Json& arguments) const {
+  return failure(code, worded(message, language), status, arguments);
 }
 
 double Api::Ask::number(const char* key, double preset) const {
@@ -103,14 +112,14 @@ Reply Api::open_file(const Ask& ask) {
 Reply Api::save_file(const Ask& ask) {
   const std::string name = ask.text("path");
   if (!ask.body.contains("text") || !ask.body["text"].is_string() || !ask.body.contains("based_on")) {
-    return failure("BadRequest", "path, text and based_on are needed", 400);
+    return ask.refuse("BadRequest", "path, text and based_on are needed", 400);
   }
   const auto saved = folder_.save(name, ask.text("text"), ask.text("based_on"));
   if (!saved) return failure(saved.error(), ask.language);
   if (!*saved) {
     const Conflict& now = saved->error();
-    return failure("Conflict", "the file has changed since it was opened", 409,
-                   {{"hash", now.hash}, {"text", now.text}});
+    return ask.refuse("Conflict", "the file has changed since it was opened", 409,
+                      {{"hash", now.hash}, {"text", now.text}});
   }
   note_opened(name, **saved);
   hooks_.on_hub([name, hash = **saved](Hub& hub) { hub.event("file", {{"path", name}, {"hash", hash}}); });
@@ -119,7 +128,7 @@ Reply Api::save_file(const Ask& ask) {
 
 Reply Api::autosave_file(const Ask& ask) {
   if (!ask.body.contains("text") || !ask.body["text"].is_string()) {
-    return failure("BadRequest", "path, text and based_on are needed", 400);
+    return ask.refuse("BadRequest", "path, text and based_on are needed", 400);
   }
   const auto kept = folder_.autosave(ask.text("path"), ask.text("text"), ask.text("based_on"));
   return kept ? json_reply(Json::object()) : failure(kept.error(), ask.language);

@@ -10,8 +10,10 @@
 #include "ganglion/studio/live/hub.h"
 #include "ganglion/studio/live/recording_view.h"
 #include "ganglion/studio/live/run_session.h"
+#include "ganglion/studio/server/link_check.h"
 #include "ganglion/studio/server/programs.h"
 #include "ganglion/studio/server/reply.h"
+#include "ganglion/studio/server/wanted.h"
 
 namespace ganglion::studio {
 
@@ -41,6 +43,9 @@ class Api {
     std::string text(const char* key) const;
     bool has(const char* key) const { return body.contains(key) && !body[key].is_null(); }
     double number(const char* key, double preset) const;
+    /// A failure, worded in the language of this call.
+    Reply refuse(std::string_view code, std::string_view message, unsigned status,
+                 const Json& arguments = Json::object()) const;
   };
   using Route = Reply (Api::*)(const Ask&);
   static const std::map<std::string, std::pair<std::string_view, Route>>& routes();
@@ -68,14 +73,29 @@ class Api {
   Reply stop_run(const Ask&);
   Reply reset_run(const Ask&);
   Reply pace_run(const Ask&);
-  Reply answer(bool done);
-  std::optional<Reply> refuse_command() const;
+  Reply answer(const Ask&, bool done);
+  std::optional<Reply> refuse_command(const Ask&) const;
   void note_opened(const std::string& name, const std::string& hash);
+  Reply set_goal(const Ask&);
+  Reply put_obstacle(const Ask&);
+  Reply intervene(const Ask& ask, sim::Intervention what);
   Result<RunPlan> plan_of(const Ask&, const Prepared& prepared);
-  std::optional<Reply> check_programs(const Experiment& experiment) const;
+  Result<void> read_files(const Ask&, Wanted& wanted) const;
+  std::optional<Reply> read_sets(const Ask&, Wanted& wanted) const;
+  std::optional<Reply> read_application(const Ask&, Wanted& wanted) const;
+  std::optional<Reply> read_wanted(const Ask&, Wanted& wanted) const;
+  std::optional<Reply> read_experiment_of(const Wanted& wanted, const Ask&, Experiment& experiment) const;
+  std::optional<Reply> refuse_experiment(const Experiment& experiment, const std::vector<std::filesystem::path>& files,
+                                         const Ask&) const;
+  std::optional<Reply> prepare_wanted(const Wanted& wanted, const Ask&, std::optional<Prepared>& prepared) const;
   void begin(std::shared_ptr<const Prepared> prepared, RunPlan plan);
   void tell_state();
   Json state() const;
+
+  Reply test_link(const Ask&);
+  Reply link_test(const Ask&);
+  Reply test_simulation(const Wanted& wanted, const Ask&);
+  Result<LinkCheck::Subject> subject_of(const Experiment& experiment, const Ask&) const;
 
   Reply open_recording(const Ask&);
   Reply recording_samples(const Ask&);
@@ -94,6 +114,9 @@ class Api {
   std::unique_ptr<RunSession> session_;
   std::shared_ptr<const Prepared> prepared_;
   std::uint64_t runs_ = 0;
+  std::unique_ptr<LinkCheck> test_;
+  Json tested_;  ///< What the last test found.
+  std::uint64_t tests_ = 0;
   std::string viewed_;
   std::filesystem::file_time_type viewed_changed_{};
   std::shared_ptr<const RecordingView> view_;

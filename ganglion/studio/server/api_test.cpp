@@ -1,14 +1,13 @@
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <cmath>
-#include <csignal>
 #include <cstring>
 #include <thread>
 
 #include "ganglion/base/file.h"
 #include "ganglion/run/run.h"
 #include "ganglion/studio/server/testing/bench.h"
+#include "ganglion/studio/server/testing/child_server.h"
 
 namespace ganglion::studio {
 namespace {
@@ -84,19 +83,8 @@ TEST_F(Studio, NoticesAChangeFromOutside) {
 }
 
 TEST_F(Studio, LosesNothingThatWasSavedOrAutosavedWhenItIsKilled) {
-  int pipe[2];
-  ASSERT_EQ(::pipe(pipe), 0);
-  const pid_t child = ::fork();
-  if (child == 0) {  // a server of its own, to be killed at any moment
-    const auto server = Server::start({.folder = folder()});
-    const std::string where = std::to_string((*server)->port()) + " " + (*server)->token() + "\n";
-    if (::write(pipe[1], where.data(), where.size()) < 0) ::_exit(1);
-    for (;;) ::pause();
-  }
-  char room[200] = {};
-  ASSERT_GT(::read(pipe[0], room, sizeof room - 1), 0);
-  const std::string line(room);
-  const Client client{static_cast<std::uint16_t>(std::stoi(line)), line.substr(line.find(' ') + 1, 64), {}};
+  ChildServer killed(folder());  // at any moment
+  const Client& client = killed.client();
   const Json opened = client.post("/api/file/open", {{"path", "controller.toml"}}).json();
   std::atomic<int> kept = -1;
   std::thread editing([&] {
@@ -109,9 +97,7 @@ TEST_F(Studio, LosesNothingThatWasSavedOrAutosavedWhenItIsKilled) {
     }
   });
   while (kept < 50) std::this_thread::yield();
-  ::kill(child, SIGKILL);
-  int status = 0;
-  ::waitpid(child, &status, 0);
+  killed.kill();
   editing.join();
   const Json again = client_of().post("/api/file/open", {{"path", "controller.toml"}}).json();
   EXPECT_EQ(again["text"], opened["text"]) << "the file itself is as it was saved";
@@ -227,9 +213,10 @@ TEST_F(Studio, StopsAndResets) {
   const Answer reset = client.post("/api/run/reset", {});
   ASSERT_EQ(reset.status, 200u);
   EXPECT_EQ(reset.json()["state"]["pace"], 50) << "as was chosen between the two";
-  ASSERT_TRUE(watcher.event("streams"));
   client.post("/api/run/resume", {});
-  EXPECT_EQ(final_state(watcher)["share"], 1.0);
+  Json state = final_state(watcher);
+  while (state.is_object() && state["run"] != reset.json()["run"]) state = final_state(watcher);  // told twice
+  EXPECT_EQ(state["share"], 1.0);
 }
 
 TEST_F(Studio, RunsWhatIsDrawnWithoutSavingIt) {
@@ -246,8 +233,22 @@ TEST_F(Studio, RunsWhatIsDrawnWithoutSavingIt) {
   text.replace(text.find("trigger_range_m = 0.10"), 22, "trigger_range_m = 0.20");
   body["controller"]["text"] = text;
   ASSERT_EQ(client.post("/api/run/start", body).status, 200u);
-  EXPECT_TRUE(final_state(watcher)["outcome"].is_object());
+  const Json first = final_state(watcher)["outcome"];
   EXPECT_EQ(read_file(folder() / "controller.toml").value(), saved);
+  const auto left = folder() / ".controller.toml.running";
+  EXPECT_FALSE(std::filesystem::exists(left));
+  const Answer again = client.post("/api/run/reset", {});
+  ASSERT_EQ(again.status, 200u) << "the same drawing again";
+  Json state;
+  while ((state = final_state(watcher)).is_object() && state["run"] != again.json()["run"]) {
+  }
+  EXPECT_EQ(state["outcome"]["digest"], first["digest"]);
+  EXPECT_FALSE(std::filesystem::exists(left));
+  body["record"] = true;
+  const Answer third = client.post("/api/run/start", body);
+  while ((state = final_state(watcher)).is_object() && state["run"] != third.json()["run"]) {
+  }
+  EXPECT_TRUE(state["outcome"]["error"].is_null()) << state.dump() << "the run before took its own file only";
 }
 
 TEST_F(Studio, GoesOnForAViewerWhoComesBack) {

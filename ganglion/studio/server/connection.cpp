@@ -64,6 +64,7 @@ class Watch : public std::enable_shared_from_this<Watch> {
     if (session && after && *after >= 0 && *after < 1e15) {
       viewer_->resume(*session, static_cast<std::uint64_t>(*after));
     }
+    if (query_value(target, "bundles") == "1") viewer_->bundle_rows();
     read();
     pump();
   }

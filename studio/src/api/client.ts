@@ -1,4 +1,4 @@
-import type { Files, Kind, Language, Model, Operation, Recording, RunState } from './types';
+import type { Files, Kind, Language, LinkTest, Model, Operation, Recording, RunState } from './types';
 
 /** What the server refused, with its code: the page words codes it knows and shows the message of others. */
 export class ApiError extends Error {
@@ -80,6 +80,15 @@ export interface StartRun {
   record?: boolean;
   paused?: boolean;
   program?: string;
+  /** "" = the built-in simulation, whatever the experiment says. */
+  address?: string;
+}
+
+/** Where a goal or an obstacle went. */
+export interface Reached {
+  x_m: number;
+  y_m: number;
+  reachable: boolean;
 }
 
 export interface Place {
@@ -107,6 +116,7 @@ export const api = {
     post<{ ok: boolean; reasons?: string[] }>('/api/document/may_connect', { ...place, from, to, port }),
   copy: (place: Place, ids: string[]) => post<{ toml: string }>('/api/document/copy', { ...place, ids }),
 
+  testLink: (run: StartRun) => post<{ test: LinkTest }>('/api/link/test', run),
   start: (run: StartRun) => post<{ run: string }>('/api/run/start', run),
   pause: () => post<{ state: RunState }>('/api/run/pause', {}),
   resume: () => post<{ state: RunState }>('/api/run/resume', {}),
@@ -115,8 +125,12 @@ export const api = {
   reset: () => post<{ state: RunState }>('/api/run/reset', {}),
   pace: (pace: number) => post<{ state: RunState }>('/api/run/pace', { pace }),
 
+  setGoal: (robot: number, x_m: number, y_m: number) => post<Reached>('/api/run/goal', { robot, x_m, y_m }),
+  putObstacle: (mover: string, x_m: number, y_m: number) =>
+    post<Reached>('/api/run/obstacle', { mover, x_m, y_m }),
+
   recording: (path: string) => post<Recording>('/api/recording/open', { path }),
   samples: async (path: string) => (await send('/api/recording/samples', { path })).arrayBuffer(),
   recordedController: (path: string) => post<{ text: string }>('/api/recording/controller', { path }),
-  reportUrl: (path: string) => `/api/recording/report?path=${encodeURIComponent(path)}`,
+  reportUrl: (path: string) => `/api/recording/report?path=${encodeURIComponent(path)}&language=${language}`,
 };

@@ -1,4 +1,4 @@
-/** One sample of a stream (docs/studio_api.md, Samples); payloads are copied out of the message. */
+/** One sample of a stream (docs/studio_api.md, Samples); the numbers of a row or path may be the message's own. */
 export type Sample = { stream: number; seq: number; t: number } & (
   | { kind: 'row'; tick: number; values: Float64Array }
   | { kind: 'grid'; base: number; grid: GridChange }
@@ -20,7 +20,13 @@ export interface GridChange {
 const kHeader = 16;
 const kGridHeader = 44;
 
+const kLittleEndian = new Uint8Array(Uint16Array.of(1).buffer)[0] === 1;
+
+/** The message's own bytes where they lie as numbers must; else copied out of it. */
 function floats(view: DataView, at: number, count: number): Float64Array {
+  const start = view.byteOffset + at;
+  if (at + 8 * count > view.byteLength) throw new RangeError('cut short');
+  if (kLittleEndian && start % 8 === 0) return new Float64Array(view.buffer, start, count);
   const values = new Float64Array(count);
   for (let i = 0; i < count; i += 1) values[i] = view.getFloat64(at + 8 * i, true);
   return values;
@@ -68,6 +74,26 @@ export function decodeSample(view: DataView): Sample | null {
   } catch {
     return null;
   }
+}
+
+const kBundle = 5;
+
+/** All samples of one message: it may be several rows that waited together. */
+export function decodeMessage(buffer: ArrayBuffer): Sample[] {
+  const view = new DataView(buffer);
+  if (view.byteLength < kHeader || view.getUint8(0) !== kBundle) {
+    const sample = decodeSample(view);
+    return sample ? [sample] : [];
+  }
+  const samples: Sample[] = [];
+  for (let at = kHeader; at + 8 <= view.byteLength; ) {
+    const bytes = Number(view.getBigUint64(at, true));
+    if (at + 8 + bytes > view.byteLength) break;
+    const sample = decodeSample(new DataView(buffer, at + 8, bytes));
+    if (sample) samples.push(sample);
+    at += 8 + Math.ceil(bytes / 8) * 8;
+  }
+  return samples;
 }
 
 /** The samples of a recording, each behind its length in bytes. */

@@ -1,4 +1,4 @@
-import { decodeSample, type Sample } from './samples';
+import { decodeMessage, type Sample } from './samples';
 import type { Hello, StudioEvent } from './types';
 
 export interface Listener {
@@ -9,6 +9,7 @@ export interface Listener {
 }
 
 const kTooFarBehind = 4001;
+const kLongestWait_ms = 1000;
 
 /** Keeps a connection: comes back by itself and asks for the events it missed. */
 export class Connection {
@@ -31,8 +32,8 @@ export class Connection {
   }
 
   private open(): void {
-    const resume = this.session ? `?session=${this.session}&after=${this.seq}` : '';
-    const socket = new WebSocket(this.url + resume, 'ganglion.studio.v1');
+    const resume = this.session ? `&session=${this.session}&after=${this.seq}` : '';
+    const socket = new WebSocket(`${this.url}?bundles=1${resume}`, 'ganglion.studio.v1');
     this.socket = socket;
     socket.binaryType = 'arraybuffer';
     socket.onmessage = (message) => this.receive(message.data);
@@ -41,14 +42,13 @@ export class Connection {
       if (close.code === kTooFarBehind) this.session = '';
       this.listener.connected(false);
       setTimeout(() => this.open(), this.wait_ms);
-      this.wait_ms = Math.min(4000, this.wait_ms * 2);
+      this.wait_ms = Math.min(kLongestWait_ms, this.wait_ms * 2);
     };
   }
 
   private receive(data: string | ArrayBuffer): void {
     if (typeof data !== 'string') {
-      const sample = decodeSample(new DataView(data));
-      if (sample) this.listener.sample(sample);
+      for (const sample of decodeMessage(data)) this.listener.sample(sample);
       return;
     }
     const message = JSON.parse(data);

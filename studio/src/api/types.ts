@@ -73,8 +73,6 @@ export interface Wire {
   output: string;
   element: string;
   previous: boolean;
-  line: number;
-  column: number;
   ok: boolean;
 }
 
@@ -85,18 +83,18 @@ export interface Output {
   elements: string[];
 }
 
+/** Without the lines that the server says besides: of a component that did not change they would be old (share.ts). */
 export interface Component {
   id: string;
   class: ComponentClass;
   kind: string;
-  line: number;
   editable: boolean;
   position: [number, number] | null;
   channel: string;
   command: string;
   inputs: { port: string; wires: Wire[] }[];
   outputs: Output[];
-  parameters: { name: string; value: Value; line: number }[];
+  parameters: { name: string; value: Value }[];
   unknown: { key: string; text: string }[];
 }
 
@@ -155,6 +153,9 @@ export interface Files {
     world: string;
     duration_s: number;
     seed: number;
+    /** Where the file says that the robot is; "" = nowhere else. */
+    address: string;
+    program: boolean;
     problems: number;
   }[];
   worlds: { path: string; name: string }[];
@@ -165,10 +166,20 @@ export interface Files {
 export interface Outcome {
   success: boolean;
   reason: string;
+  reason_es: string;
   digest: string;
   measures: Record<string, number | null>;
   file: string;
-  error: string;
+  error: string | null;
+  error_es?: string;
+}
+
+/** A look at a robot: what was found so far. */
+export interface LinkTest {
+  test: string;
+  done: boolean;
+  good: boolean;
+  findings: { good: boolean; message: string }[];
 }
 
 export interface RunState {
@@ -241,6 +252,8 @@ export interface RobotInfo {
     cone_rad: number;
     max_range_m: number;
     signal: string;
+    /** Of a trainer: the side of the cells that its goals are. */
+    cell_m?: number;
   }[];
 }
 
@@ -261,19 +274,34 @@ export interface GoalEvent {
   reason: string;
 }
 
+/** Somebody reached into the running world: set a goal, or put an obstacle elsewhere. */
+export interface InterventionEvent {
+  event: 'intervention';
+  time_s: number;
+  tick: number;
+  what: 'goal' | 'obstacle';
+  robot?: number;
+  mover?: string;
+  x_m: number;
+  y_m: number;
+}
+
 export interface LogEvent {
   event: 'log';
   time_s: number;
   level: number;
   name: string;
   message: string;
+  message_es?: string;
 }
 
 export type StudioEvent =
   | { event: 'run'; state: RunState }
   | { event: 'streams'; streams: Stream[]; scene: Scene | null; info: Info | null; more?: boolean }
   | { event: 'file'; path: string; hash: string }
+  | ({ event: 'link' } & LinkTest)
   | GoalEvent
+  | InterventionEvent
   | LogEvent;
 
 export interface Hello {
@@ -292,7 +320,7 @@ export interface Recording {
   info: Info;
   scene: Scene | null;
   streams: Stream[];
-  events: (GoalEvent | LogEvent)[];
+  events: (GoalEvent | InterventionEvent | LogEvent)[];
   duration_s: number;
   run: RunFile;
   damages: string[];

@@ -8,6 +8,7 @@ import { text } from '../text/text';
 import { isDark, useSettings } from '../theme/settings';
 import { complain, openDialog, say, show, toast, useWorkbench } from '../ui/workbench';
 import { player, usePlayer } from '../world/player';
+import { mayPutObstacle, maySetGoal } from '../world/reach';
 
 export type CommandName = keyof Dictionary['commands'];
 
@@ -36,6 +37,13 @@ async function saveAndSay(): Promise<void> {
   }
 }
 
+/** The world beside the drawing, which has half of its room then. */
+function showBeside(): void {
+  if (useWorkbench.getState().split) return;
+  useWorkbench.setState({ split: true, centre: 'drawing' });
+  requestAnimationFrame(() => requestAnimationFrame(fit));
+}
+
 /** Run what is drawn; with problems, or without an experiment, shows what is in the way. */
 async function runOrExplain(): Promise<void> {
   const model = current()?.model;
@@ -47,7 +55,7 @@ async function runOrExplain(): Promise<void> {
   if (!useRun.getState().configuration.experiment) return openDialog({ kind: 'configure' });
   await start();
   if (useWorkbench.getState().centre !== 'world') {
-    if (innerWidth >= 1200) useWorkbench.setState({ split: true, centre: 'drawing' });
+    if (innerWidth >= 1200) showBeside();
     else show('world');
   }
 }
@@ -151,6 +159,8 @@ export const kCommands: Command[] = [
     run: () => player.follow(!usePlayer.getState().following),
     enabled: () => usePlayer.getState().growing,
   },
+  { name: 'set_goal', menu: 'run', keys: ['G'], run: () => openDialog({ kind: 'set_goal' }), enabled: maySetGoal },
+  { name: 'put_obstacle', menu: 'run', run: () => openDialog({ kind: 'put_obstacle' }), enabled: mayPutObstacle },
   { name: 'palette', menu: 'help', keys: ['Ctrl+K'], run: () => openDialog({ kind: 'commands' }) },
   { name: 'keys', menu: 'help', keys: ['?'], run: () => openDialog({ kind: 'keys' }) },
   { name: 'tour', menu: 'help', run: () => useWorkbench.setState({ tour: 0 }) },

@@ -1,16 +1,25 @@
+import { usePresence } from '../api/presence';
 import { useText } from '../text/text';
-import { complain, useWorkbench } from '../ui/workbench';
+import { complain } from '../ui/workbench';
 import { discardDraft, overwrite, putOffConflict, recoverDraft, takeFromDisk, useDocument } from './document';
 
 /** What must be decided before going on calmly: a draft to recover, a file that changed on the disk. */
 export function Banners() {
   const text = useText();
-  const { draft, conflict, hash } = useDocument();
-  const connected = useWorkbench((state) => state.connected);
+  const draft = useDocument((state) => state.draft);
+  const conflict = useDocument((state) => state.conflict);
+  const hash = useDocument((state) => state.hash);
+  const busy = useDocument((state) => state.busy);
+  const { connected, strange } = usePresence();
   const act = (work: () => Promise<unknown>) => () => work().catch(complain);
   return (
     <div className="banners" role="status">
-      {!connected && <p className="banner bad">{text.shell.offline}</p>}
+      {!connected && (
+        <p className="banner bad offline">
+          <b>{text.shell.not_connected}</b> {strange ? text.shell.strange : text.shell.offline}{' '}
+          {busy > 0 && text.shell.waiting(busy)}
+        </p>
+      )}
       {draft && (
         <div className="banner">
           <p>

@@ -1,5 +1,6 @@
 import { create } from 'zustand';
 import { ApiError, api } from '../api/client';
+import { patiently } from '../api/presence';
 import type { Model, Operation } from '../api/types';
 import { share } from './share';
 
@@ -35,6 +36,9 @@ interface DocumentState {
 }
 
 const kMostSteps = 1000;
+/** Two hundred can always be undone; more of them as long as their texts do not fill the memory. */
+const kFewestSteps = 200;
+const kMostCharacters = 64e6;
 const kMergeWithin_ms = 1000;
 
 const kClosed: DocumentState = {
@@ -91,15 +95,33 @@ export function select(ids: string[]): void {
   set({ selection: ids });
 }
 
+/** The selection without what is gone; the same list where nothing is. */
+function stillThere(selection: string[], model: Model): string[] {
+  if (selection.length === 0) return selection;
+  const alive = new Set(model.components.map((component) => component.id));
+  return selection.every((id) => alive.has(id)) ? selection : selection.filter((id) => alive.has(id));
+}
+
+/** The newest of the steps, as many as are kept. */
+export function kept(steps: Step[]): Step[] {
+  let characters = 0;
+  let first = steps.length;
+  while (first > 0 && steps.length - first < kMostSteps) {
+    characters += steps[first - 1].text.length;
+    if (characters > kMostCharacters && steps.length - first >= kFewestSteps) break;
+    first -= 1;
+  }
+  return first === 0 ? steps : steps.slice(first);
+}
+
 function push(step: Step): void {
   set((state) => {
     const before = state.steps[state.now];
     const joins =
       step.merge !== '' && before?.merge === step.merge && step.at_ms - before.at_ms < kMergeWithin_ms && state.now > 0;
-    const kept = state.steps.slice(0, joins ? state.now : state.now + 1);
-    const steps = [...kept, { ...step, model: share(before?.model, step.model) }].slice(-kMostSteps);
-    const alive = new Set(step.model.components.map((component) => component.id));
-    return { steps, now: steps.length - 1, selection: state.selection.filter((id) => alive.has(id)) };
+    const past = state.steps.slice(0, joins ? state.now : state.now + 1);
+    const steps = kept([...past, { ...step, model: share(before?.model, step.model) }]);
+    return { steps, now: steps.length - 1, selection: stillThere(state.selection, step.model) };
   });
 }
 
@@ -134,13 +156,16 @@ export interface EditOptions {
   selectMade?: boolean;
 }
 
-/** One gesture, one step. Resolves to the ids that were made; rejects with ApiError where the server refuses. */
+/** One gesture, one step. Resolves to the ids that were made; rejects with ApiError where the server refuses. While the
+ *  server is away it waits: nothing that was done is lost. */
 export function edit(operations: Operation[], options: EditOptions = {}): Promise<string[]> {
   if (operations.length === 0) return Promise.resolve([]);
   set((state) => ({ busy: state.busy + 1 }));
   return inTurn(async () => {
     try {
-      const answer = await api.edit(place(), operations);
+      const what = place();
+      const answer = await patiently(() => api.edit(what, operations));
+      if (get().path !== what.path) return [];
       const [first] = operations;
       push({
         text: answer.text,
@@ -163,8 +188,7 @@ export function goTo(index: number): Promise<void> {
   return inTurn(async () => {
     const step = get().steps[index];
     if (!step) return;
-    const alive = new Set(step.model.components.map((component) => component.id));
-    set((state) => ({ now: index, selection: state.selection.filter((id) => alive.has(id)) }));
+    set((state) => ({ now: index, selection: stillThere(state.selection, step.model) }));
   });
 }
 
@@ -225,12 +249,17 @@ export function save(): Promise<boolean> {
   return inTurn(async () => {
     const what = place();
     try {
-      const { hash } = await api.save(what, get().hash);
+      const { hash } = await patiently(() => api.save(what, get().hash));
       set({ savedText: what.text, hash, draft: null, conflict: null });
       return true;
     } catch (error) {
       if (!(error instanceof ApiError) || error.code !== 'Conflict') throw error;
-      set({ conflict: conflictOf(error.details) });
+      const conflict = conflictOf(error.details);
+      if (conflict.text === what.text && !conflict.gone) {  // it was saved, and the server ended before it could say so
+        set({ savedText: what.text, hash: conflict.hash, draft: null, conflict: null });
+        return true;
+      }
+      set({ conflict });
       return false;
     }
   });

@@ -1,5 +1,25 @@
+import { memo } from 'react';
 import { useText } from '../text/text';
 import { goTo, useDocument } from './document';
+
+interface EntryProps {
+  index: number;
+  words: string;
+  about: string;
+  now: boolean;
+}
+
+const Entry = memo(function Entry({ index, words, about, now }: EntryProps) {
+  const text = useText();
+  return (
+    <li>
+      <button type="button" aria-current={now ? 'step' : undefined} onClick={() => goTo(index)}>
+        {words} <small>{about}</small>
+        {now && <small>{text.history.now}</small>}
+      </button>
+    </li>
+  );
+});
 
 /** Every step so far; a click goes there. */
 export function HistoryPane() {
@@ -13,12 +33,13 @@ export function HistoryPane() {
       <ol className="plain history" reversed>
         {steps
           .map((step, i) => (
-            <li key={`${step.at_ms} ${step.about} ${step.text.length}`}>
-              <button type="button" aria-current={i === now ? 'step' : undefined} onClick={() => goTo(i)}>
-                {words[step.step] ?? text.history.opened} <small>{step.about}</small>
-                {i === now && <small>{text.history.now}</small>}
-              </button>
-            </li>
+            <Entry
+              key={`${i} ${step.at_ms}`}
+              index={i}
+              words={words[step.step] ?? text.history.opened}
+              about={step.about}
+              now={i === now}
+            />
           ))
           .reverse()}
       </ol>

@@ -67,7 +67,18 @@ function outputOf(component: Component, kind: Kind | undefined, output: Output, 
   };
 }
 
+const outputsKnown = new WeakMap<Component, { kind: Kind | undefined; ports: OutputPort[] }>();
+
+/** Made once of each component: a drawing asks for them at every wire. */
 export function outputsOf(component: Component, kind: Kind | undefined): OutputPort[] {
+  const known = outputsKnown.get(component);
+  if (known && known.kind === kind) return known.ports;
+  const ports = makeOutputs(component, kind);
+  outputsKnown.set(component, { kind, ports });
+  return ports;
+}
+
+function makeOutputs(component: Component, kind: Kind | undefined): OutputPort[] {
   const command = kind?.ports.find((port) => port.direction === 'out' && port.role === 'command');
   const values = component.outputs.filter((output) => output.name !== command?.name);
   const ports = values.map((output) =>

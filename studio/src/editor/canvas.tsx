@@ -1,27 +1,24 @@
 import '@xyflow/react/dist/base.css';
 import {
-  applyEdgeChanges,
-  applyNodeChanges,
   Background,
   type Connection,
   ConnectionMode,
-  type EdgeChange,
   type FinalConnectionState,
   MiniMap,
-  type NodeChange,
   ReactFlow,
   ReactFlowProvider,
   useReactFlow,
 } from '@xyflow/react';
-import { type DragEvent, useCallback, useEffect, useMemo, useRef, useState } from 'react';
-import { current, edit, select, useDocument, useModel } from '../document/document';
+import { type DragEvent, useCallback, useEffect, useMemo, useRef } from 'react';
+import { current, edit, useDocument } from '../document/document';
 import { useText } from '../text/text';
 import { Icon } from '../ui/icons';
 import { complain, openDialog, say, toast, useWorkbench } from '../ui/workbench';
 import { add, type Offered } from './adding';
 import { setCanvas } from './canvas_handle';
 import { ComponentBox } from './component_node';
-import { type ComponentNode, edgesOf, nodesOf, type WireEdge } from './graph';
+import { useDrawn } from './drawn';
+import type { ComponentNode, WireEdge } from './graph';
 import { canvasKey } from './keyboard';
 import type { Point } from './placing';
 import { WireLine } from './wire_edge';
@@ -37,47 +34,6 @@ export const kDragType = 'application/x-ganglion-component';
 function wireText(source: string | null, handle: string | null | undefined): string {
   const output = (handle ?? '').replace(/^o:/, '');
   return output === '' ? (source ?? '') : `${source}.${output}`;
-}
-
-/** Boxes as drawn now: they follow the model, and the hand while it drags. */
-function useNodes() {
-  const model = useModel();
-  const path = useDocument((state) => state.path);
-  const selection = useDocument((state) => state.selection);
-  const expanded = useWorkbench((state) => state.expanded);
-  const places = useRef(new Map<string, Point>());
-  const [nodes, setNodes] = useState<ComponentNode[]>([]);
-  // biome-ignore lint/correctness/useExhaustiveDependencies: another file starts with places of its own
-  useEffect(() => {
-    places.current = new Map();
-    setNodes([]);
-  }, [path]);
-  useEffect(() => {
-    setNodes((before) => (model ? nodesOf(model, expanded, selection, before, places.current) : []));
-  }, [model, expanded, selection]);
-  const change = useCallback((changes: NodeChange<ComponentNode>[]) => {
-    setNodes((before) => applyNodeChanges(changes, before));
-    const picks = changes.filter((one) => one.type === 'select');
-    if (picks.length === 0) return;
-    const picked = new Set(useDocument.getState().selection);
-    for (const one of picks) {
-      if (one.selected) picked.add(one.id);
-      else picked.delete(one.id);
-    }
-    select([...picked]);
-  }, []);
-  return { nodes, change };
-}
-
-function useEdges() {
-  const model = useModel();
-  const [edges, setEdges] = useState<WireEdge[]>([]);
-  useEffect(() => setEdges((before) => (model ? edgesOf(model, before) : [])), [model]);
-  const change = useCallback(
-    (changes: EdgeChange<WireEdge>[]) => setEdges((before) => applyEdgeChanges(changes, before)),
-    [],
-  );
-  return { edges, change };
 }
 
 async function moved(_: unknown, __: unknown, dragged: ComponentNode[]): Promise<void> {
@@ -148,8 +104,7 @@ function useFitting(frame: { current: HTMLElement | null }, path: string, drawn:
 function Flow() {
   const text = useText();
   const flow = useReactFlow<ComponentNode, WireEdge>();
-  const { nodes, change } = useNodes();
-  const { edges, change: changeEdges } = useEdges();
+  const { nodes, edges, changeNodes, changeEdges } = useDrawn();
   const wiring = useWiring();
   const minimap = useWorkbench((state) => state.minimap);
   const path = useDocument((state) => state.path);
@@ -191,7 +146,7 @@ function Flow() {
         edges={edges}
         nodeTypes={kNodeTypes}
         edgeTypes={kEdgeTypes}
-        onNodesChange={change}
+        onNodesChange={changeNodes}
         onEdgesChange={changeEdges}
         onNodeDragStop={moved}
         onSelectionDragStop={(event, dragged) => moved(event, null, dragged)}

@@ -1,9 +1,9 @@
-import { useEffect, useState } from 'react';
+import { memo, useEffect, useState } from 'react';
 import type { Model } from '../api/types';
 import { edit } from '../document/document';
 import { useText } from '../text/text';
 import { complain } from '../ui/workbench';
-import { numberOf, shown } from './field';
+import { numberOf, rounded, shown } from './field';
 
 function Text({ label, value, commit }: { label: string; value: string; commit(words: string): void }) {
   const [words, setWords] = useState(value);
@@ -23,7 +23,7 @@ function Text({ label, value, commit }: { label: string; value: string; commit(w
 }
 
 /** The robot's self-description: what a controller can feel and do. */
-export function RobotCard({ robot }: { robot: Model['robot'] }) {
+export const RobotCard = memo(function RobotCard({ robot }: { robot: Model['robot'] }) {
   const text = useText();
   if (!robot.known) return <p className="hint">{text.palette.no_robot}</p>;
   return (
@@ -46,9 +46,10 @@ export function RobotCard({ robot }: { robot: Model['robot'] }) {
           <li key={command.name}>
             <code>{command.name}</code>:{' '}
             {command.elements
-              .map(
-                (one) =>
-                  `${one.name} ${text.inspector.range(shown(one.min), shown(one.max))} ${one.unit && `[${one.unit}]`}`,
+              .map((one) =>
+                [one.name, text.inspector.range(rounded(one.min), rounded(one.max)), one.unit && `[${one.unit}]`]
+                  .filter(Boolean)
+                  .join(' '),
               )
               .join('; ')}
           </li>
@@ -56,7 +57,7 @@ export function RobotCard({ robot }: { robot: Model['robot'] }) {
       </ul>
     </section>
   );
-}
+});
 
 /** What belongs to the whole controller. */
 export function ControllerForm({ model }: { model: Model }) {

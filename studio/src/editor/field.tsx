@@ -1,4 +1,4 @@
-import { useEffect, useId, useState } from 'react';
+import { useEffect, useId, useRef, useState } from 'react';
 import type { ParameterDescriptor, Value } from '../api/types';
 import { useText } from '../text/text';
 import { useSettings } from '../theme/settings';
@@ -14,6 +14,11 @@ export function numberOf(words: string): number | null {
 export function shown(value: Value): string {
   if (Array.isArray(value)) return value.join(' ');
   return typeof value === 'number' ? `${Number(value.toPrecision(12))}` : `${value}`;
+}
+
+/** For reading only: pi need not fill a line. */
+export function rounded(value: number): string {
+  return `${Number(value.toPrecision(4))}`;
 }
 
 function parsed(words: string, type: ParameterDescriptor['type']): Value | null {
@@ -39,16 +44,21 @@ function TextInput({ id, about, given, ...props }: Props & { id: string; about: 
   const text = useText();
   const [words, setWords] = useState(shown(given));
   const [bad, setBad] = useState(false);
+  const sent = useRef<string | null>(null); // under way: leaving the field does not send it again
   useEffect(() => {
     setWords(shown(given));
     setBad(false);
+    sent.current = null;
   }, [given]);
   /** Enter writes a default out too, so that the file says it. */
   const commit = (pinned: boolean) => {
     if (words === shown(given) && !(pinned && props.value === undefined)) return setBad(false);
+    if (words === sent.current) return;
     const value = parsed(words, props.parameter.type);
     setBad(value === null);
-    if (value !== null) props.set(value);
+    if (value === null) return;
+    sent.current = words;
+    props.set(value);
   };
   return (
     <>

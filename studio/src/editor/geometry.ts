@@ -20,7 +20,19 @@ function matters(port: OutputPort, wired: ReadonlySet<string>): boolean {
   return port.role === 'command' || port.handle === '' || wired.has(port.handle);
 }
 
+const portsKnown = new WeakMap<Component, { key: string; ports: Ports }>();
+
+/** The same object as long as nothing of it changes. */
 export function portsOf(component: Component, wired: ReadonlySet<string>, expanded: boolean): Ports {
+  const key = `${expanded} ${[...wired].sort().join(' ')}`;
+  const known = portsKnown.get(component);
+  if (known?.key === key) return known.ports;
+  const ports = makePorts(component, wired, expanded);
+  portsKnown.set(component, { key, ports });
+  return ports;
+}
+
+function makePorts(component: Component, wired: ReadonlySet<string>, expanded: boolean): Ports {
   const kind = kindOf(component);
   const inputs = inputsOf(component, kind);
   const all = outputsOf(component, kind);

@@ -1,6 +1,7 @@
 import { type Edge, type Node, Position } from '@xyflow/react';
 import type { Component, Model, Problem, Wire } from '../api/types';
 import { handleOf, kindOf, outputsOf } from '../document/kinds';
+import { isSame } from '../document/share';
 import { heightOf, kWidth, type Ports, portsOf, rowMiddle } from './geometry';
 import { arrangeMissing, boxesOf, type Point } from './placing';
 
@@ -66,19 +67,50 @@ function handlesOf(ports: Ports): ComponentNode['handles'] {
 }
 
 function sameData(a: ComponentData, b: ComponentData): boolean {
-  return (
-    a.component === b.component &&
-    a.problems === b.problems &&
-    a.expanded === b.expanded &&
-    a.ports.outputs.length === b.ports.outputs.length &&
-    a.ports.outputs.every((port, i) => port.handle === b.ports.outputs[i].handle)
-  );
+  return a.component === b.component && a.problems === b.problems && a.expanded === b.expanded && a.ports === b.ports;
 }
 
-function problemsPer(problems: Problem[]): Map<string, number> {
+export function problemsPer(problems: Problem[]): Map<string, number> {
   const counts = new Map<string, number>();
   for (const problem of problems) counts.set(problem.component, (counts.get(problem.component) ?? 0) + 1);
   return counts;
+}
+
+/** Those with an id of their own: a text may name two components alike. */
+function drawnOf(model: Model): Component[] {
+  const seen = new Set(['']);
+  return model.components.filter((component) => !seen.has(component.id) && seen.add(component.id));
+}
+
+/** Writes down where each box stands, the file's place or else one that is found for it. */
+function settle(drawn: Component[], ports: ReadonlyMap<string, Ports>, places: Map<string, Point>): void {
+  for (const one of drawn) if (one.position) places.set(one.id, one.position);
+  if (drawn.every((one) => places.has(one.id))) return;
+  const boxes = boxesOf(drawn, (one) => heightOf(ports.get(one.id) as Ports));
+  for (const [id, at] of arrangeMissing(boxes, places)) places.set(id, at);
+}
+
+function nodeOf(data: ComponentData, [x, y]: Point, selected: boolean, node: ComponentNode | undefined): ComponentNode {
+  const same = node !== undefined && sameData(node.data, data);
+  if (same && node.position.x === x && node.position.y === y && node.selected === selected) return node;
+  const samePorts = node?.data.ports === data.ports;
+  return {
+    ...(node?.measured && samePorts ? { measured: node.measured } : {}),
+    id: data.component.id,
+    type: 'component',
+    position: { x, y },
+    selected,
+    data: same ? node.data : data,
+    initialWidth: kWidth,
+    initialHeight: heightOf(data.ports),
+    handles: samePorts ? node?.handles : handlesOf(data.ports),
+    deletable: false,
+  };
+}
+
+/** The list that was, where it is the same one by one: what looks at it has nothing to do then. */
+function unlessSame<T>(before: T[], made: T[]): T[] {
+  return made.length === before.length && made.every((one, i) => one === before[i]) ? before : made;
 }
 
 /** The drawing's boxes. Those of `before` that did not change are kept as they are; `places` keeps where boxes without
@@ -94,38 +126,20 @@ export function nodesOf(
   const counts = problemsPer(model.problems);
   const old = new Map(before.map((node) => [node.id, node]));
   const selected = new Set(selection);
-  const drawn = model.components.filter(
-    (component, i, all) => component.id !== '' && all.findIndex((one) => one.id === component.id) === i,
-  );
+  const drawn = drawnOf(model);
   const ports = new Map(drawn.map((one) => [one.id, portsOf(one, wired.get(one.id) ?? kNone, expanded.has(one.id))]));
-  for (const one of drawn) if (one.position) places.set(one.id, one.position);
-  const boxes = boxesOf(drawn, (one) => heightOf(ports.get(one.id) as Ports));
-  for (const [id, at] of arrangeMissing(boxes, places)) places.set(id, at);
-  return drawn.map((component) => {
-    const [x, y] = places.get(component.id) ?? [0, 0];
-    const made: ComponentData = {
+  settle(drawn, ports, places);
+  const made = drawn.map((component) => {
+    const { id } = component;
+    const data: ComponentData = {
       component,
-      ports: ports.get(component.id) as Ports,
-      problems: counts.get(component.id) ?? 0,
-      expanded: expanded.has(component.id),
+      ports: ports.get(id) as Ports,
+      problems: counts.get(id) ?? 0,
+      expanded: expanded.has(id),
     };
-    const node = old.get(component.id);
-    const same = node && sameData(node.data, made);
-    const isSelected = selected.has(component.id);
-    if (same && node.position.x === x && node.position.y === y && node.selected === isSelected) return node;
-    return {
-      ...(node?.measured && same ? { measured: node.measured } : {}),
-      id: component.id,
-      type: 'component',
-      position: { x, y },
-      selected: isSelected,
-      data: same ? node.data : made,
-      initialWidth: kWidth,
-      initialHeight: heightOf(made.ports),
-      handles: handlesOf(made.ports),
-      deletable: false,
-    };
+    return nodeOf(data, places.get(id) ?? [0, 0], selected.has(id), old.get(id));
   });
+  return unlessSame(before, made);
 }
 
 /** Columns of a recorded row that may show a wire's value: the first that there is counts. */
@@ -137,47 +151,63 @@ export function signalsOf(wire: Wire, source: Component): string[] {
   return only?.label ? [...names, `${wire.from}.${only.label}${tail}`] : names;
 }
 
+/** What an edge was made from: the wire alone does not tell when its source has become another kind. */
+const sources = new WeakMap<WireEdge, Component>();
+
+function edgeOf(component: Component, port: string, wire: Wire, index: number, source: Component): WireEdge {
+  const outputs = outputsOf(source, kindOf(source));
+  const handle = handleOf(outputs, wire.output);
+  const from = outputs.find((one) => one.handle === handle);
+  return {
+    id: `${component.id}|${port}|${wire.text}`,
+    type: 'wire',
+    source: wire.from,
+    sourceHandle: `o:${handle}`,
+    target: component.id,
+    targetHandle: `i:${port}`,
+    data: {
+      wire,
+      port,
+      index,
+      signals: signalsOf(wire, source),
+      elements: wire.element ? [] : (from?.elements ?? []),
+      unit: from?.unit ?? '',
+      role: from?.role ?? 'output',
+    },
+    ariaLabel: `${wire.text} → ${component.id}.${port}`,
+    deletable: false,
+    focusable: false,
+  };
+}
+
+function sameEdge(a: WireEdge, b: WireEdge): boolean {
+  return a.id === b.id && a.sourceHandle === b.sourceHandle && isSame(a.data, b.data);
+}
+
+/** The drawing's wires. Those of `before` that did not change are kept as they are. */
 export function edgesOf(model: Model, before: WireEdge[]): WireEdge[] {
   const byId = new Map(model.components.map((component) => [component.id, component]));
-  const old = new Map(before.map((edge) => [edge.id, edge]));
-  const edges: WireEdge[] = [];
+  const old = new Map(before.map((edge) => [edge.data?.wire, edge]));
+  const selected = new Set(before.filter((edge) => edge.selected).map((edge) => edge.id));
+  const made: WireEdge[] = [];
   for (const component of model.components) {
     for (const input of component.inputs) {
       input.wires.forEach((wire, index) => {
         const source = byId.get(wire.from);
         if (!source) return;
-        const id = `${component.id}|${input.port}|${wire.text}`;
-        const kept = old.get(id);
-        if (kept?.data?.wire === wire && kept.data.index === index) {
-          edges.push(kept);
+        const kept = old.get(wire);
+        const fits = kept?.target === component.id && kept.data?.port === input.port && kept.data.index === index;
+        if (kept && fits && sources.get(kept) === source) {
+          made.push(kept);
           return;
         }
-        const outputs = outputsOf(source, kindOf(source));
-        const handle = handleOf(outputs, wire.output);
-        const port = outputs.find((one) => one.handle === handle);
-        edges.push({
-          id,
-          type: 'wire',
-          source: wire.from,
-          sourceHandle: `o:${handle}`,
-          target: component.id,
-          targetHandle: `i:${input.port}`,
-          data: {
-            wire,
-            port: input.port,
-            index,
-            signals: signalsOf(wire, source),
-            elements: wire.element ? [] : (port?.elements ?? []),
-            unit: port?.unit ?? '',
-            role: port?.role ?? 'output',
-          },
-          ariaLabel: `${wire.text} → ${component.id}.${input.port}`,
-          selected: kept?.selected,
-          deletable: false,
-          focusable: false,
-        });
+        const edge = edgeOf(component, input.port, wire, index, source);
+        const same = kept !== undefined && sameEdge(kept, edge);
+        if (!same && selected.has(edge.id)) edge.selected = true;
+        sources.set(same ? kept : edge, source);
+        made.push(same ? kept : edge);
       });
     }
   }
-  return edges;
+  return unlessSame(before, made);
 }

@@ -14,7 +14,7 @@ export function RenameDialog({ id }: { id: string }) {
     event.preventDefault();
     closeDialog();
     if (to === id) return;
-    edit([{ op: 'rename', id, to }]).then(() => select([to]), complain);
+    edit([{ op: 'rename', id, to }], { selectMade: true }).catch(complain);
   };
   return (
     <Modal title={text.shell.rename_title(id)}>

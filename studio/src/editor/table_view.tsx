@@ -1,10 +1,18 @@
+import { memo } from 'react';
 import type { Component } from '../api/types';
 import { select, useDocument, useModel } from '../document/document';
 import { useText } from '../text/text';
 import { ClassMark, Icon } from '../ui/icons';
 import { openDialog } from '../ui/workbench';
+import { problemsPer } from './graph';
 
-function Row({ component, problems, selected }: { component: Component; problems: number; selected: boolean }) {
+interface RowProps {
+  component: Component;
+  problems: number;
+  selected: boolean;
+}
+
+const Row = memo(function Row({ component, problems, selected }: RowProps) {
   const text = useText();
   const wires = component.inputs.flatMap((input) => input.wires.map((wire) => `${input.port} ← ${wire.text}`));
   return (
@@ -35,7 +43,7 @@ function Row({ component, problems, selected }: { component: Component; problems
       </td>
     </tr>
   );
-}
+});
 
 /** The drawing as a table: for screen readers, and for whoever likes rows better. */
 export function TableView() {
@@ -43,6 +51,8 @@ export function TableView() {
   const model = useModel();
   const selection = useDocument((state) => state.selection);
   if (!model) return <p className="hint">{text.files.choose}</p>;
+  const selected = new Set(selection);
+  const problems = problemsPer(model.problems);
   return (
     // biome-ignore lint/a11y/noNoninteractiveTabindex: a region that scrolls can be reached by the keyboard
     <section className="table-view" tabIndex={0} aria-label={text.panes.table}>
@@ -65,8 +75,8 @@ export function TableView() {
             <Row
               key={component.id}
               component={component}
-              problems={model.problems.filter((problem) => problem.component === component.id).length}
-              selected={selection.includes(component.id)}
+              problems={problems.get(component.id) ?? 0}
+              selected={selected.has(component.id)}
             />
           ))}
         </tbody>

@@ -7,7 +7,7 @@ import { numberOf } from '../editor/field';
 import { useText } from '../text/text';
 import { Modal } from '../ui/dialog';
 import { closeDialog, complain } from '../ui/workbench';
-import { configure, useRun } from './run';
+import { type Application, configure, testLink, useRun } from './run';
 
 type Program = { name: string; help: string };
 
@@ -71,33 +71,74 @@ function Amount({
   );
 }
 
-/** Asks the server now whether what is chosen can be started. */
-function TestConnection({ programs }: { programs: Program[] }) {
+/** Where the robot is: simulated here, at an address, or a listed program that is started for the run. */
+function ApplicationChoice({ programs, told }: { programs: Program[]; told: string }) {
   const text = useText();
-  const { program, experiment } = useRun((state) => state.configuration);
-  const [answer, setAnswer] = useState('');
-  const test = async () => {
-    setAnswer('');
-    try {
-      const [listed, files] = await Promise.all([api.programs(), api.files()]);
-      const chosen = files.experiments.find((one) => one.path === experiment);
-      if (program)
-        setAnswer(
-          listed.programs.some((one) => one.name === program)
-            ? text.configure.program_ok
-            : text.errors.ProgramNotListed,
-        );
-      else setAnswer(chosen && chosen.problems === 0 ? text.configure.simulation_ok : text.configure.simulation_bad);
-    } catch {
-      setAnswer(text.configure.unreachable);
-    }
-  };
+  const { application, program, address } = useRun((state) => state.configuration);
+  const value = application === 'program' ? `program ${program}` : application;
+  const pick = (words: string) =>
+    words.startsWith('program ')
+      ? configure({ application: 'program', program: words.slice('program '.length) })
+      : configure({ application: words as Application });
+  const label = text.configure.application;
+  return (
+    <>
+      <label className="field">
+        <span>{label}</span>
+        <select aria-label={label} value={value} onChange={(event) => pick(event.target.value)}>
+          <option value="experiment">{`${text.configure.as_experiment} (${told})`}</option>
+          <option value="simulation">{text.configure.simulation}</option>
+          <option value="address">{text.configure.at_address}</option>
+          {programs.map((one) => (
+            <option key={one.name} value={`program ${one.name}`}>
+              {one.help ? `${one.name}: ${one.help}` : one.name}
+            </option>
+          ))}
+        </select>
+      </label>
+      {application === 'address' && (
+        <label className="field">
+          <span>{text.configure.address}</span>
+          <input
+            value={address}
+            placeholder="tcp://127.0.0.1:7007"
+            spellCheck={false}
+            onChange={(event) => configure({ address: event.target.value })}
+          />
+          <small>{text.configure.address_hint}</small>
+        </label>
+      )}
+    </>
+  );
+}
+
+/** Has the server look at what is chosen, as a run would: nothing is moved. */
+function TestConnection() {
+  const text = useText();
+  const { experiment, application, address } = useRun((state) => state.configuration);
+  const test = useRun((state) => state.linkTest);
+  const testing = test !== null && !test.done;
+  const missing = !experiment || (application === 'address' && !address.trim());
   return (
     <div className="field">
-      <button type="button" onClick={test} disabled={programs.length === 0 && !experiment}>
+      <button type="button" onClick={() => testLink().catch(complain)} disabled={testing || missing}>
         {text.configure.test}
       </button>
-      <span role="status">{answer}</span>
+      <div role="status">
+        {testing && <p>{text.configure.testing}</p>}
+        {test?.done && (
+          <p className={test.good ? 'good' : 'bad'}>{test.good ? text.configure.test_good : text.configure.test_bad}</p>
+        )}
+        {test && (
+          <ul className="plain small-print findings">
+            {test.findings.map((one) => (
+              <li key={one.message} className={one.good ? '' : 'bad'}>
+                {one.message}
+              </li>
+            ))}
+          </ul>
+        )}
+      </div>
     </div>
   );
 }
@@ -124,14 +165,11 @@ export function ConfigureDialog() {
             pick={(value) => configure({ experiment: value, world: '', robot: '' })}
           />
           {files?.experiments.length === 0 && <p className="bad">{text.configure.no_experiment}</p>}
-          <Choice
-            label={text.configure.application}
-            value={chosen.program}
-            options={programs.map((one) => ({ path: one.name, name: one.help }))}
-            none={text.configure.simulation}
-            pick={(program) => configure({ program })}
+          <ApplicationChoice
+            programs={programs}
+            told={experiment?.address || (experiment?.program ? text.configure.a_program : text.configure.simulation)}
           />
-          <TestConnection programs={programs} />
+          <TestConnection />
           <Choice
             label={text.configure.world}
             value={chosen.world}

@@ -1,6 +1,6 @@
 import { text } from '../text/text';
-import type { RowTrack, Timeline } from '../world/timeline';
-import { indexAt } from '../world/timeline';
+import type { RowTrack } from '../world/rows';
+import type { Timeline } from '../world/timeline';
 
 /** Where a wire's value is found: the first of `signals` that is a column, or whose elements are. */
 export interface ValueSource {
@@ -21,7 +21,7 @@ interface Watch {
 }
 
 const watches = new Map<HTMLElement, Watch>();
-let now: { timeline: Timeline; t: number; robot: number } | null = null;
+let now: { timeline: Timeline; row: number; robot: number } | null = null;
 
 function columnsFor(robot: RowTrack, source: ValueSource): number[] {
   for (const signal of source.signals) {
@@ -59,12 +59,13 @@ function writeOne(element: HTMLElement, watch: Watch): void {
     watch.age = robot.columns.get(`${watch.source.signals[0].split('.')[0]}.age_s`) ?? -1;
     element.hidden = watch.columns.length === 0;
   }
-  const row = robot.rows.at(now.t);
-  if (!row || watch.columns.length === 0) return;
-  const stale = watch.age >= 0 && row[watch.age] > kOldest_s;
+  if (now.row < 0 || watch.columns.length === 0) return;
+  const { row } = now;
+  const age = watch.age < 0 ? 0 : robot.value(row, watch.age);
+  const stale = age > kOldest_s;
   const unit = watch.source.unit ? ` ${watch.source.unit}` : '';
-  const words = `${watch.columns.map((column) => wordsOf(row[column])).join(', ')}${unit}`;
-  const shown = stale ? `${words} (${text().values.stale} ${row[watch.age].toFixed(1)} s)` : words;
+  const words = `${watch.columns.map((column) => wordsOf(robot.value(row, column))).join(', ')}${unit}`;
+  const shown = stale ? `${words} (${text().values.stale} ${age.toFixed(1)} s)` : words;
   if (shown === watch.shown) return;
   watch.shown = shown;
   element.textContent = shown;
@@ -73,7 +74,7 @@ function writeOne(element: HTMLElement, watch: Watch): void {
 
 /** Writes every value as it was at t, past React: hundreds of them keep up with the screen so. */
 export function writeValues(timeline: Timeline, t: number, robot: number): void {
-  now = { timeline, t, robot };
+  now = { timeline, row: timeline.robots[robot]?.at(t) ?? -1, robot };
   for (const [element, watch] of watches) writeOne(element, watch);
 }
 
@@ -83,6 +84,7 @@ export function history(source: ValueSource): number[] {
   if (!robot || !now) return [];
   const [column] = columnsFor(robot, source);
   if (column === undefined) return [];
-  const last = indexAt(robot.rows.times, now.t);
-  return robot.rows.values.slice(Math.max(0, last + 1 - kHistory), last + 1).map((row) => row[column]);
+  const values: number[] = [];
+  for (let row = Math.max(0, now.row + 1 - kHistory); row <= now.row; row += 1) values.push(robot.value(row, column));
+  return values;
 }

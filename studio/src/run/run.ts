@@ -2,10 +2,12 @@ import { create } from 'zustand';
 import { api, type StartRun } from '../api/client';
 import { decodeSamples, type Sample } from '../api/samples';
 import { Connection } from '../api/socket';
-import type { Hello, Recording, RunState, StudioEvent } from '../api/types';
+import { absent, present } from '../api/presence';
+import type { Hello, LinkTest, Outcome, Recording, RunState, StudioEvent } from '../api/types';
 import { current, fileChanged, useDocument } from '../document/document';
 import { text } from '../text/text';
-import { complain, say, toast, useWorkbench } from '../ui/workbench';
+import { keep, kept, useSettings } from '../theme/settings';
+import { complain, say, toast } from '../ui/workbench';
 import { player } from '../world/player';
 import { Timeline } from '../world/timeline';
 
@@ -17,9 +19,14 @@ export interface Configuration {
   duration_s: number | null;
   paused: boolean;
   record: boolean;
+  application: Application;
   program: string;
+  address: string;
   pace: number;
 }
+
+/** What the controller is run with. */
+export type Application = 'experiment' | 'simulation' | 'address' | 'program';
 
 interface Run {
   state: RunState | null;
@@ -29,6 +36,8 @@ interface Run {
   /** Values are shown on the wires. */
   showing: boolean;
   configuration: Configuration;
+  /** The last look at a robot. */
+  linkTest: LinkTest | null;
   /** The text that runs, to tell whether it is the one that is drawn. */
   runText: string;
   /** Counts what goes on disk: lists of files are read again. */
@@ -49,23 +58,44 @@ export const useRun = create<Run>(() => ({
     duration_s: null,
     paused: false,
     record: true,
+    application: 'experiment',
     program: '',
+    address: kept('address'),
     pace: 1,
   },
+  linkTest: null,
   runText: '',
   filesVersion: 0,
 }));
 
 const { getState: get, setState: set } = useRun;
+const kMostToComplete = 32 << 20; // bytes of rows
 
 function showLive(timeline: Timeline): void {
   set({ live: timeline, recording: null, recorded: null, showing: true });
   player.show(timeline, true);
 }
 
+/** A server that was started anew watches no file yet; opening it again says whether it changed meanwhile. */
+async function lookAtFile(): Promise<void> {
+  const { path, hash } = useDocument.getState();
+  if (!path || !hash) return;
+  const file = await api.openFile(path);
+  await fileChanged(path, file.hash);
+}
+
 function welcome(hello: Hello): void {
   set({ state: hello.state });
+  lookAtFile().catch(complain);
   if (hello.streams.length > 0 && !get().recording) showLive(new Timeline(hello.streams, hello.scene, hello.info));
+}
+
+/** Why a run ended, in the language of now. */
+export function outcomeWords(outcome: Outcome): string {
+  const spanish = useSettings.getState().language === 'es';
+  return spanish
+    ? outcome.error_es || outcome.error || outcome.reason_es || outcome.reason
+    : outcome.error || outcome.reason;
 }
 
 function sayOutcome(before: RunState | null, state: RunState): void {
@@ -74,7 +104,7 @@ function sayOutcome(before: RunState | null, state: RunState): void {
   const words = text().run;
   toast(
     outcome.success ? words.success : words.failure,
-    [outcome.error || outcome.reason].filter(Boolean),
+    [outcomeWords(outcome)].filter(Boolean),
     outcome.error ? 'bad' : 'note',
   );
 }
@@ -83,6 +113,7 @@ function takeState(state: RunState): void {
   sayOutcome(get().state, state);
   const ended = state.state === 'done' && get().state?.state !== 'done';
   set((run) => ({ state, filesVersion: run.filesVersion + (ended ? 1 : 0) }));
+  if (ended && state.outcome?.file) completeFrom(state.outcome.file, state.time_s).catch(complain);
 }
 
 function takeEvent(event: StudioEvent): void {
@@ -97,9 +128,17 @@ function takeEvent(event: StudioEvent): void {
     case 'goal':
       if (event.state === 'reached') say(text().run.goal_reached);
       get().live?.addEvent(event);
+      player.tellEvent();
+      break;
+    case 'intervention':
+      get().live?.addEvent(event);
+      player.tellEvent();
       break;
     case 'log':
       get().live?.addEvent(event);
+      break;
+    case 'link':
+      set({ linkTest: event });
       break;
     case 'file':
       set((run) => ({ filesVersion: run.filesVersion + 1 }));
@@ -108,7 +147,8 @@ function takeEvent(event: StudioEvent): void {
 }
 
 function takeSample(sample: Sample): void {
-  get().live?.add(sample);
+  const { live } = get();
+  if (!live?.complete) live?.add(sample);
   player.wake();
 }
 
@@ -118,31 +158,38 @@ export function connect(): Connection {
     hello: welcome,
     event: takeEvent,
     sample: takeSample,
-    connected: (connected) => useWorkbench.setState({ connected }),
+    connected: (connected) => (connected ? present() : absent()),
   });
 }
 
 export function configure(change: Partial<Configuration>): void {
-  set((run) => ({ configuration: { ...run.configuration, ...change } }));
+  set((run) => ({ configuration: { ...run.configuration, ...change }, linkTest: null }));
+  if (change.address !== undefined) keep('address', change.address);
+  const { path } = useDocument.getState();
+  if (change.experiment && path) keep(`experiment.${path}`, change.experiment);
 }
 
-/** Chooses the experiment that runs the drawn controller, where one does. */
+/** Chooses the experiment that runs the drawn controller, where one does: the one chosen before, else the folder's
+ *  experiment.toml, else the first. */
 export async function chooseExperiment(): Promise<void> {
   const { experiments } = await api.files();
   const { path } = useDocument.getState();
   const folder = path.split('/').slice(0, -1).join('/');
+  const before = kept(`experiment.${path}`);
+  const main = (all: typeof experiments) => all.find((one) => /(^|\/)experiment\.toml$/.test(one.path)) ?? all[0];
   const known = experiments.some((one) => one.path === get().configuration.experiment);
-  const own = experiments.find((one) => one.controller === path);
-  const near = experiments.find((one) => one.path.startsWith(`${folder}/`));
-  const wanted = own ?? (known ? undefined : near);
-  if (wanted) configure({ experiment: wanted.path, world: '', robot: '', seed: null, duration_s: null });
+  const own = main(experiments.filter((one) => one.controller === path));
+  const near = main(experiments.filter((one) => one.path.startsWith(`${folder}/`)));
+  const wanted = experiments.find((one) => one.path === before) ?? own ?? (known ? undefined : near);
+  if (wanted && wanted.path !== get().configuration.experiment)
+    configure({ experiment: wanted.path, world: '', robot: '', seed: null, duration_s: null });
 }
 
-/** Starts what is drawn, saved or not. */
-export async function start(): Promise<void> {
+/** What is drawn, saved or not, as it is configured. */
+function wantedRun(): StartRun {
   const { configuration } = get();
   const step = current();
-  const wanted: StartRun = {
+  return {
     experiment: configuration.experiment,
     pace: configuration.pace,
     record: configuration.record,
@@ -152,18 +199,47 @@ export async function start(): Promise<void> {
     ...(configuration.robot ? { robot: configuration.robot } : {}),
     ...(configuration.seed !== null ? { seed: configuration.seed } : {}),
     ...(configuration.duration_s !== null ? { duration_s: configuration.duration_s } : {}),
-    ...(configuration.program ? { program: configuration.program } : {}),
+    ...(configuration.application === 'simulation' ? { address: '' } : {}),
+    ...(configuration.application === 'address' ? { address: configuration.address.trim() } : {}),
+    ...(configuration.application === 'program' ? { program: configuration.program } : {}),
   };
-  set({ runText: step?.text ?? '' });
-  await api.start(wanted);
 }
 
-export async function openRecording(path: string): Promise<void> {
+export async function start(): Promise<void> {
+  set({ runText: current()?.text ?? '' });
+  await api.start(wantedRun());
+}
+
+/** Has the server look at the robot; what it finds comes as events. */
+export async function testLink(): Promise<void> {
+  set({ linkTest: null });
+  const { test } = await api.testLink(wantedRun());
+  set((run) => (run.linkTest?.test === test.test ? {} : { linkTest: test }));
+}
+
+async function load(path: string): Promise<{ recording: Recording; timeline: Timeline }> {
   const [recording, bytes] = await Promise.all([api.recording(path), api.samples(path)]);
   const timeline = new Timeline(recording.streams, recording.scene, recording.info);
   for (const sample of decodeSamples(bytes)) timeline.add(sample);
   for (const event of recording.events) timeline.addEvent(event);
   timeline.end = Math.max(timeline.end, recording.duration_s);
+  return { recording, timeline };
+}
+
+/** Of a run that was faster than it could be watched not every tick was sent: its trail would lead straight through
+ *  walls. Its file has them all. */
+async function completeFrom(path: string, time_s: number): Promise<void> {
+  const { live } = get();
+  if (!live || live.isWhole(time_s) || live.bytesOf(time_s) > kMostToComplete) return;
+  const { timeline } = await load(path);
+  timeline.complete = true;
+  if (get().live !== live) return; // the next run has begun
+  set({ live: timeline });
+  if (!get().recording) player.replace(timeline);
+}
+
+export async function openRecording(path: string): Promise<void> {
+  const { recording, timeline } = await load(path);
   set({ recording, recorded: timeline, showing: true });
   player.show(timeline, false);
 }

@@ -4,7 +4,7 @@ import { current, useDocument, useModel } from '../document/document';
 import { useText } from '../text/text';
 import { Icon } from '../ui/icons';
 import { complain, show } from '../ui/workbench';
-import { configure, openRecording, useRun } from './run';
+import { configure, openRecording, outcomeWords, useRun } from './run';
 
 const kPaces = [0.5, 1, 2, 5, 10, 50, 0];
 
@@ -56,7 +56,7 @@ function Now() {
   if (!state || state.state === 'idle') return <span className="run-now">{text.run.states.idle}</span>;
   const other = drawn !== undefined && runText !== '' && drawn !== runText;
   return (
-    <span className="run-now" title={other ? text.run.runs_other : text.run.runs_same}>
+    <span className="run-now" data-run={state.run} title={other ? text.run.runs_other : text.run.runs_same}>
       <b className={`state-${state.state}`}>{text.run.states[state.state]}</b>{' '}
       {text.run.time(state.time_s.toFixed(1), state.duration_s.toFixed(0))}
       {state.state === 'running' && state.speed > 0 && <small> {text.run.speed(state.speed.toPrecision(2))}</small>}
@@ -64,14 +64,15 @@ function Now() {
   );
 }
 
-function Outcome() {
+/** What became of the run that is over: why, its report, and the way to look at it again. */
+export function Outcome() {
   const text = useText();
   const state = useRun((run) => run.state);
   const outcome = state?.state === 'done' ? state.outcome : null;
   if (!outcome) return null;
   return (
-    <span className={`outcome ${outcome.success ? 'good' : 'bad'}`} role="status">
-      {outcome.success ? text.run.success : text.run.failure} <small>{outcome.error || outcome.reason}</small>
+    <div className={`outcome ${outcome.success ? 'good' : 'bad'}`} role="status">
+      {outcome.success ? text.run.success : text.run.failure} <small>{outcomeWords(outcome)}</small>
       {outcome.file && (
         <>
           <a href={api.reportUrl(outcome.file)} target="_blank" rel="noreferrer">
@@ -82,7 +83,7 @@ function Outcome() {
           </button>
         </>
       )}
-    </span>
+    </div>
   );
 }
 
@@ -108,7 +109,6 @@ export function RunBar() {
       <Act name="reset" icon="reset" />
       <Pace />
       <Now />
-      <Outcome />
       {state?.attached && <small>{text.run.attached}</small>}
     </div>
   );

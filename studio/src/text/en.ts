@@ -1,3 +1,5 @@
+import { reachEn } from './reach';
+
 /** Every word of the page in English; es.ts says the same in Spanish (its type is this one's). */
 export const en = {
   studio: 'Ganglion studio',
@@ -65,6 +67,8 @@ export const en = {
     stop: 'Stop',
     reset: 'Start again',
     hold_view: 'Hold the view, the run goes on',
+    set_goal: 'Set a goal…',
+    put_obstacle: 'Move an obstacle…',
     theme: 'Light or dark',
     language: 'English / español',
     keys: 'Keys',
@@ -243,7 +247,11 @@ export const en = {
     title: 'Configure the application',
     experiment: 'Experiment',
     application: 'Application',
-    simulation: 'Simulation',
+    simulation: 'Built-in simulation',
+    a_program: 'a program',
+    at_address: 'A robot at an address',
+    address: 'Address',
+    address_hint: 'tcp://HOST:PORT or serial:///dev/ttyUSB0',
     world: 'World',
     robot: 'Robot',
     as_experiment: 'as the experiment says',
@@ -254,10 +262,9 @@ export const en = {
     controller: 'Controller',
     drawn: (path: string) => `as drawn: ${path}`,
     test: 'Test connection',
-    program_ok: 'The program is listed and may be started.',
-    simulation_ok: 'The simulation is ready: its files are in order.',
-    simulation_bad: 'The experiment has problems.',
-    unreachable: 'The server does not answer.',
+    testing: 'Looking at the robot…',
+    test_good: 'All is well.',
+    test_bad: 'Not ready: see what is marked.',
     ok: 'Done',
     no_experiment: 'There is no experiment in this folder.',
   },
@@ -288,6 +295,7 @@ export const en = {
       reached: 'reached',
       withdrawn: 'withdrawn',
       timed_out: 'timed out',
+      replaced: 'replaced by another',
       out_of_time: 'timed out',
     } as Record<string, string>,
     follow: 'Follow the robot',
@@ -295,6 +303,7 @@ export const en = {
     zoom_out: 'Zoom out',
     zoom_all: 'Whole world',
     recording: (name: string) => `Recorded run: ${name}`,
+    loggers: { trainer: 'trainer', link: 'link' } as Record<string, string>,
     close: 'Close the recording',
     controller_then: 'Open its controller beside',
     legend: {
@@ -313,13 +322,18 @@ export const en = {
       inhibited: 'inhibited cell',
     },
   },
+  reach: reachEn,
   values: { none: 'no reading', far: 'nothing in range', near: 'too close', stale: 'old', yes: 'yes', no: 'no' },
   shell: {
     skip: 'Skip to the drawing',
     menu: 'Menu',
     close: 'Close',
     cancel: 'Cancel',
+    not_connected: 'Not connected.',
     offline: 'The server does not answer; trying again…',
+    strange: 'The server was started anew: open the address it printed in this browser, then this page goes on.',
+    waiting: (n: number) =>
+      n === 1 ? '1 change waits here and is sent then.' : `${n} changes wait here and are sent then.`,
     theme: 'Colours',
     themes: { auto: 'as the system', light: 'light', dark: 'dark' },
     language: 'Language',
@@ -355,9 +369,8 @@ export const en = {
     title: 'Tour: the pathfinder of figure 6',
     intro:
       'One acting module, its request given by the goal App, feedback from the robot, one command. Build it, then run it.',
-    next: 'Next',
     show: 'Do it for me',
-    done: 'done',
+    progress: (at: number, of: number) => `Step ${at} of ${of}:`,
     finish: 'End the tour',
     steps: {
       file: 'Start a new controller for the pathfinder robot (File, New controller).',

@@ -1,4 +1,5 @@
 import type { Dictionary } from './en';
+import { reachEs } from './reach';
 
 /** La página en español, con las palabras de los artículos. */
 export const es: Dictionary = {
@@ -67,6 +68,8 @@ export const es: Dictionary = {
     stop: 'Parar',
     reset: 'Empezar de nuevo',
     hold_view: 'Congelar la vista, la ejecución sigue',
+    set_goal: 'Fijar un objetivo…',
+    put_obstacle: 'Mover un obstáculo…',
     theme: 'Claro u oscuro',
     language: 'English / español',
     keys: 'Teclas',
@@ -245,7 +248,11 @@ export const es: Dictionary = {
     title: 'Configurar la aplicación',
     experiment: 'Experimento',
     application: 'Aplicación',
-    simulation: 'Simulación',
+    simulation: 'Simulación incluida',
+    a_program: 'un programa',
+    at_address: 'Un robot en una dirección',
+    address: 'Dirección',
+    address_hint: 'tcp://EQUIPO:PUERTO o serial:///dev/ttyUSB0',
     world: 'Mundo',
     robot: 'Robot',
     as_experiment: 'lo que dice el experimento',
@@ -256,10 +263,9 @@ export const es: Dictionary = {
     controller: 'Controlador',
     drawn: (path: string) => `como está dibujado: ${path}`,
     test: 'Probar la conexión',
-    program_ok: 'El programa está en la lista y puede iniciarse.',
-    simulation_ok: 'La simulación está lista: sus archivos están en orden.',
-    simulation_bad: 'El experimento tiene problemas.',
-    unreachable: 'El servidor no responde.',
+    testing: 'Se mira el robot…',
+    test_good: 'Todo está en orden.',
+    test_bad: 'No está listo: vea lo marcado.',
     ok: 'Hecho',
     no_experiment: 'No hay ningún experimento en esta carpeta.',
   },
@@ -290,6 +296,7 @@ export const es: Dictionary = {
       reached: 'alcanzado',
       withdrawn: 'retirada',
       timed_out: 'sin tiempo',
+      replaced: 'sustituido por otro',
       out_of_time: 'sin tiempo',
     },
     follow: 'Seguir al robot',
@@ -297,6 +304,7 @@ export const es: Dictionary = {
     zoom_out: 'Alejar',
     zoom_all: 'Todo el mundo',
     recording: (name: string) => `Ejecución grabada: ${name}`,
+    loggers: { trainer: 'entrenador', link: 'enlace' },
     close: 'Cerrar la grabación',
     controller_then: 'Abrir su controlador al lado',
     legend: {
@@ -315,6 +323,7 @@ export const es: Dictionary = {
       inhibited: 'celda inhibida',
     },
   },
+  reach: reachEs,
   values: {
     none: 'sin lectura',
     far: 'nada al alcance',
@@ -328,7 +337,12 @@ export const es: Dictionary = {
     menu: 'Menú',
     close: 'Cerrar',
     cancel: 'Cancelar',
+    not_connected: 'Sin conexión.',
     offline: 'El servidor no responde; se intenta de nuevo…',
+    strange:
+      'El servidor se inició de nuevo: abra en este navegador la dirección que mostró y esta página seguirá.',
+    waiting: (n: number) =>
+      n === 1 ? '1 cambio espera aquí y se enviará entonces.' : `${n} cambios esperan aquí y se enviarán entonces.`,
     theme: 'Colores',
     themes: { auto: 'como el sistema', light: 'claro', dark: 'oscuro' },
     language: 'Idioma',
@@ -364,9 +378,8 @@ export const es: Dictionary = {
     title: 'Guía: el buscador de rutas de la figura 6',
     intro:
       'Un módulo de actuación, su solicitud dada por el objetivo App, retroalimentación del robot, un comando. Constrúyalo y ejecútelo.',
-    next: 'Siguiente',
     show: 'Hágalo por mí',
-    done: 'hecho',
+    progress: (at: number, of: number) => `Paso ${at} de ${of}:`,
     finish: 'Terminar la guía',
     steps: {
       file: 'Empiece un controlador nuevo para el robot del buscador de rutas (Archivo, Nuevo controlador).',

@@ -11,7 +11,8 @@ interface Settings {
   setTheme(theme: Theme): void;
 }
 
-function kept(key: string): string {
+/** What this browser keeps from visit to visit; "" = nothing. */
+export function kept(key: string): string {
   try {
     return localStorage.getItem(`ganglion.${key}`) ?? '';
   } catch {
@@ -19,7 +20,7 @@ function kept(key: string): string {
   }
 }
 
-function keep(key: string, value: string): void {
+export function keep(key: string, value: string): void {
   try {
     localStorage.setItem(`ganglion.${key}`, value);
   } catch {

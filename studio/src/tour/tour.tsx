@@ -28,21 +28,15 @@ export function Tour() {
     <section className="tour" aria-label={text.panes.tour}>
       <div className="dialog-head">
         <h2>{text.tour.title}</h2>
-        <button type="button" aria-label={text.tour.finish} onClick={close}>
+        <button type="button" aria-label={text.tour.finish} title={text.tour.finish} onClick={close}>
           <Icon name="close" />
         </button>
       </div>
       {at === 0 && <p className="hint">{text.tour.intro}</p>}
-      <ol className="plain">
-        {kTour.slice(0, at).map((one) => (
-          <li key={one.name} className="good">
-            <Icon name="check" /> {text.tour.steps[one.name]}
-          </li>
-        ))}
-        <li aria-current="step">
-          <b>{text.tour.steps[step.name]}</b>
-        </li>
-      </ol>
+      <progress max={kTour.length} value={at} aria-hidden />
+      <p aria-current="step">
+        <span className="hint">{text.tour.progress(at + 1, kTour.length)}</span> <b>{text.tour.steps[step.name]}</b>
+      </p>
       <button type="button" className="primary" onClick={show}>
         {step.name === 'run' ? text.commands.run : step.name === 'file' ? text.commands.new : text.tour.show}
       </button>

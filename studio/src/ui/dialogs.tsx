@@ -4,6 +4,7 @@ import { AddDialog } from '../editor/add_dialog';
 import { ConnectFrom, ConnectTo } from '../editor/connect_dialog';
 import { RenameDialog, SearchDialog } from '../editor/small_dialogs';
 import { ConfigureDialog } from '../run/configure';
+import { GoalDialog, ObstacleDialog } from '../world/reach_dialogs';
 import { useWorkbench } from './workbench';
 
 /** The one that is open, if any. */
@@ -20,6 +21,10 @@ export function Dialogs() {
       return <SearchDialog />;
     case 'configure':
       return <ConfigureDialog />;
+    case 'set_goal':
+      return <GoalDialog />;
+    case 'put_obstacle':
+      return <ObstacleDialog />;
     case 'rename':
       return <RenameDialog id={dialog.id} />;
     case 'add':

@@ -10,7 +10,7 @@ import { Inspector } from '../editor/inspector';
 import { Palette } from '../editor/palette';
 import { Problems } from '../editor/problems';
 import { TableView } from '../editor/table_view';
-import { RunBar } from '../run/run_bar';
+import { Outcome, RunBar } from '../run/run_bar';
 import { useText } from '../text/text';
 import { World } from '../world/world';
 import { Dialogs } from './dialogs';
@@ -87,11 +87,13 @@ function Left() {
 }
 
 function Centre() {
-  const { centre, split } = useWorkbench();
+  const centre = useWorkbench((state) => state.centre);
+  const split = useWorkbench((state) => state.split);
   return (
     <div className={`centre ${split ? 'split' : ''}`} id="centre">
       <Tabs panes={['drawing', 'table', 'world']} chosen={centre} />
       <Banners />
+      <Outcome />
       <div className="centre-body">
         {centre === 'table' ? <TableView /> : (centre === 'drawing' || split) && <Canvas />}
         {(centre === 'world' || split) && <World />}
@@ -101,11 +103,20 @@ function Centre() {
   );
 }
 
+/** What screen readers are told. By itself: the whole page need not be gone through for it. */
+function Said() {
+  const said = useWorkbench((state) => state.said);
+  return (
+    <div className="for-readers" role="status" aria-live="polite">
+      {said}
+    </div>
+  );
+}
+
 /** The whole page. Below 900 px one pane is shown at a time, chosen below. */
 export function Shell() {
   const text = useText();
   const pane = useWorkbench((state) => state.pane);
-  const said = useWorkbench((state) => state.said);
   const tour = useWorkbench((state) => state.tour);
   return (
     <main className={`shell pane-${pane}`}>
@@ -130,9 +141,7 @@ export function Shell() {
       )}
       <Dialogs />
       <Toasts />
-      <div className="for-readers" role="status" aria-live="polite">
-        {said}
-      </div>
+      <Said />
     </main>
   );
 }

@@ -11,6 +11,8 @@ export type Dialog =
   | { kind: 'keys' }
   | { kind: 'search' }
   | { kind: 'configure' }
+  | { kind: 'set_goal' }
+  | { kind: 'put_obstacle' }
   | { kind: 'rename'; id: string }
   | { kind: 'add'; from?: string; at?: [number, number] }
   | { kind: 'connect_to'; id: string; from?: string }
@@ -35,7 +37,6 @@ interface Workbench {
   said: string;
   minimap: boolean;
   expanded: ReadonlySet<string>;
-  connected: boolean;
   tour: number | null;
   problemsOpen: boolean;
 }
@@ -50,7 +51,6 @@ export const useWorkbench = create<Workbench>(() => ({
   said: '',
   minimap: false,
   expanded: new Set(),
-  connected: true,
   tour: null,
   problemsOpen: false,
 }));

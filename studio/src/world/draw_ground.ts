@@ -2,7 +2,7 @@ import type { Scene, Shape } from '../api/types';
 import type { Mover } from './timeline';
 import type { View, WorldColours } from './view';
 
-function trace(view: View, shape: Shape, pose?: readonly [number, number, number]): void {
+export function trace(view: View, shape: Shape, pose?: readonly [number, number, number]): void {
   if (shape.points) view.polygon(shape.points, shape.closed ?? true, pose);
   else view.disc(pose?.[0] ?? shape.x ?? 0, pose?.[1] ?? shape.y ?? 0, (shape.radius ?? 0) * view.scale);
 }

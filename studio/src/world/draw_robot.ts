@@ -1,10 +1,12 @@
 import type { RobotInfo } from '../api/types';
-import { indexAt, type RowTrack, type Timeline } from './timeline';
+import type { RowTrack } from './rows';
+import type { Timeline } from './timeline';
 import type { View, WorldColours } from './view';
 
 const kMostTrailPoints = 3000;
 const kArrowEvery_px = 34;
 const kSimpleAbove = 300;
+const kFew = 12;
 
 export interface Pose {
   x: number;
@@ -31,7 +33,7 @@ function arrow(view: View, x: number, y: number, angle: number): void {
 /** Way so far: a green line with arrows, from a green dot. */
 export function drawTrail(view: View, track: RowTrack, t: number, colours: WorldColours): void {
   const [cx, cy] = [track.columns.get('truth.x_m'), track.columns.get('truth.y_m')];
-  const last = indexAt(track.rows.times, t);
+  const last = track.at(t);
   if (cx === undefined || cy === undefined || last < 0) return;
   const stride = Math.max(1, Math.ceil(last / kMostTrailPoints));
   const { context } = view;
@@ -40,8 +42,7 @@ export function drawTrail(view: View, track: RowTrack, t: number, colours: World
   let way = 0;
   context.beginPath();
   for (let i = 0; i <= last; i += stride) {
-    const row = track.rows.values[i];
-    const at: [number, number] = [view.x(row[cx]), view.y(row[cy])];
+    const at: [number, number] = [view.x(track.value(i, cx)), view.y(track.value(i, cy))];
     if (!Number.isFinite(at[0] + at[1])) {
       before = null;
       continue;
@@ -58,8 +59,7 @@ export function drawTrail(view: View, track: RowTrack, t: number, colours: World
   }
   for (const [x, y, angle] of arrows) arrow(view, x, y, angle);
   view.stroke(colours.trail, 1.8);
-  const first = track.rows.values[0];
-  view.disc(first[cx], first[cy], 6);
+  view.disc(track.value(0, cx), track.value(0, cy), 6);
   view.fill(colours.start);
   view.stroke(colours.line, 1);
 }
@@ -68,19 +68,17 @@ export function drawTrail(view: View, track: RowTrack, t: number, colours: World
 export function drawAttempts(view: View, track: RowTrack, t: number, reach_m: number, colours: WorldColours): void {
   const [cx, cy, cyaw, touch] = ['x_m', 'y_m', 'yaw_rad', 'touching'].map((name) => track.columns.get(`truth.${name}`));
   if (cx === undefined || cy === undefined || cyaw === undefined || touch === undefined) return;
-  const last = indexAt(track.rows.times, t);
+  const last = track.at(t);
   view.context.beginPath();
   let before = 0;
   for (let i = Math.max(0, last - kMostTrailPoints); i <= last; i += 1) {
-    const row = track.rows.values[i];
-    if (row[touch] === 1 && before !== 1) {
-      view.context.moveTo(view.x(row[cx]), view.y(row[cy]));
-      view.context.lineTo(
-        view.x(row[cx] + reach_m * Math.cos(row[cyaw])),
-        view.y(row[cy] + reach_m * Math.sin(row[cyaw])),
-      );
+    const touching = track.value(i, touch);
+    if (touching === 1 && before !== 1) {
+      const [x, y, yaw] = [track.value(i, cx), track.value(i, cy), track.value(i, cyaw)];
+      view.context.moveTo(view.x(x), view.y(y));
+      view.context.lineTo(view.x(x + reach_m * Math.cos(yaw)), view.y(y + reach_m * Math.sin(yaw)));
     }
-    before = row[touch];
+    before = touching;
   }
   view.stroke(colours.attempt, 2.5, [2, 4]);
 }
@@ -146,16 +144,38 @@ function drawBody(view: View, pose: Pose, info: RobotInfo, colours: WorldColours
   view.stroke(pose.touching ? colours.contact : colours.line, pose.touching ? 3 : 1.5);
 }
 
-export function drawRobots(view: View, timeline: Timeline, t: number, colours: WorldColours): void {
+/** In a crowd: the outlines of a robot's cones as one path, where there is a reading. */
+function drawReach(view: View, pose: Pose, info: RobotInfo, range: (signal: string) => number, colour: string): void {
+  const [c, s] = [Math.cos(pose.yaw), Math.sin(pose.yaw)];
+  const { context } = view;
+  context.beginPath();
+  for (const sensor of info.sensors) {
+    if (!sensor.signal || sensor.max_range_m <= 0) continue;
+    const reading = range(sensor.signal);
+    if (!Number.isFinite(reading)) continue;
+    const x = view.x(pose.x + c * sensor.x_m - s * sensor.y_m);
+    const y = view.y(pose.y + s * sensor.x_m + c * sensor.y_m);
+    const [yaw, half] = [pose.yaw + sensor.yaw_rad, Math.max(sensor.cone_rad, 0.02) / 2];
+    context.moveTo(x, y);
+    context.arc(x, y, reading * view.scale, -(yaw + half), -(yaw - half));
+    context.closePath();
+  }
+  view.stroke(colour, 1);
+}
+
+/** The one that is looked at with its cones in full, and so the others while they are few. */
+export function drawRobots(view: View, timeline: Timeline, t: number, robot: number, colours: WorldColours): void {
   const infos = timeline.info?.robots ?? [];
   infos.forEach((info, i) => {
     const pose = poseAt(timeline, i, t);
     if (!pose) return;
-    if (infos.length <= kSimpleAbove) {
+    if (i === robot || infos.length <= kFew) {
       for (const sensor of info.sensors) {
         if (sensor.signal && sensor.max_range_m > 0)
           drawCone(view, pose, sensor, timeline.value(i, sensor.signal, t), colours);
       }
+    } else if (infos.length <= kSimpleAbove) {
+      drawReach(view, pose, info, (signal) => timeline.value(i, signal, t), colours.sonar);
     }
     drawBody(view, pose, info, colours);
   });

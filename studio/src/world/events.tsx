@@ -1,13 +1,15 @@
 import { useText } from '../text/text';
+import { useSettings } from '../theme/settings';
 import { player, usePlayer } from './player';
+import { interventionWords } from './reach';
 
 const kMost = 60;
 
-/** Goals and withdrawals: a click goes to their time. */
+/** Goals, withdrawals and what somebody did to the world: a click goes to their time. */
 export function Events() {
   const text = useText();
+  const spanish = useSettings((settings) => settings.language === 'es');
   const { timeline } = usePlayer();
-  usePlayer((state) => state.end);
   if (!timeline) return null;
   const goals = timeline.goals.map((one) => ({
     t: one.time_s,
@@ -15,8 +17,12 @@ export function Events() {
   }));
   const logs = timeline.logs
     .filter((one) => one.level > 2)
-    .map((one) => ({ t: one.time_s, words: `${one.name}: ${one.message}` }));
-  const all = [...goals, ...logs].sort((a, b) => b.t - a.t).slice(0, kMost);
+    .map((one) => ({
+      t: one.time_s,
+      words: `${text.world.loggers[one.name] ?? one.name}: ${(spanish && one.message_es) || one.message}`,
+    }));
+  const touches = timeline.interventions.map((one) => ({ t: one.time_s, words: interventionWords(one, text) }));
+  const all = [...goals, ...logs, ...touches].sort((a, b) => b.t - a.t).slice(0, kMost);
   if (all.length === 0) return null;
   return (
     <section className="events" aria-label={text.world.events}>

@@ -52,5 +52,5 @@ export function paintWorld(
   }
   drawPaths(view, timeline, t, colours);
   drawGoal(view, timeline, t, robot, colours);
-  drawRobots(view, timeline, t, colours);
+  drawRobots(view, timeline, t, robot, colours);
 }

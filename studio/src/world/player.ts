@@ -1,6 +1,7 @@
 import { create } from 'zustand';
 import { writeValues } from '../run/live_values';
-import { indexAt, type Timeline } from './timeline';
+import { indexAt } from './rows';
+import type { Timeline } from './timeline';
 
 interface Shown {
   timeline: Timeline | null;
@@ -14,6 +15,8 @@ interface Shown {
   t: number;
   end: number;
   robot: number;
+  /** Counts what was told between samples: a run that waits tells of goals too. */
+  told: number;
 }
 
 export const usePlayer = create<Shown>(() => ({
@@ -25,6 +28,7 @@ export const usePlayer = create<Shown>(() => ({
   t: 0,
   end: 0,
   robot: 0,
+  told: 0,
 }));
 
 const { getState: get, setState: set } = usePlayer;
@@ -46,6 +50,12 @@ class Player {
     this.wake();
   }
 
+  /** The same run, better known: the time that is looked at stays. */
+  replace(timeline: Timeline): void {
+    set({ timeline, end: timeline.end });
+    this.wake();
+  }
+
   addPainter(painter: Painter): () => void {
     this.painters.add(painter);
     this.wake();
@@ -56,6 +66,12 @@ class Player {
   wake(): void {
     if (this.frame || typeof requestAnimationFrame === 'undefined') return;
     this.frame = requestAnimationFrame((ms) => this.draw(ms));
+  }
+
+  /** An event came: whoever lists them looks again. */
+  tellEvent(): void {
+    set(({ told }) => ({ told: told + 1 }));
+    this.wake();
   }
 
   seek(t: number): void {

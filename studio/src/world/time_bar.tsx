@@ -2,8 +2,23 @@ import { useRun } from '../run/run';
 import { useText } from '../text/text';
 import { Icon } from '../ui/icons';
 import { player, usePlayer } from './player';
+import type { Timeline } from './timeline';
 
 const kSpeeds = [0.1, 0.5, 1, 2, 5, 10, 20];
+
+/** Where on the slider somebody reached into the world; the list of events says what it was. */
+function Marks({ timeline, first, end }: { timeline: Timeline; first: number; end: number }) {
+  const span = Math.max(end - first, 1e-3);
+  return timeline.interventions.map((one, i) => (
+    <i
+      // biome-ignore lint/suspicious/noArrayIndexKey: they are only ever added
+      key={i}
+      className="time-mark"
+      aria-hidden="true"
+      style={{ left: `calc(8px + (100% - 16px) * ${(Math.min(one.time_s, end) - first) / span})` }}
+    />
+  ));
+}
 
 /** The time that is looked at, apart from the run's own. */
 export function TimeBar() {
@@ -21,22 +36,25 @@ export function TimeBar() {
       >
         <Icon name={playing ? 'pause' : 'play'} />
       </button>
-      <input
-        type="range"
-        min={first}
-        max={Math.max(end, first + 1e-3)}
-        step="any"
-        value={t}
-        aria-label={text.world.slider}
-        aria-valuetext={`${t.toFixed(1)} s`}
-        onChange={(event) => player.seek(Number(event.target.value))}
-        onKeyDown={(event) => {
-          if (event.key !== 'ArrowLeft' && event.key !== 'ArrowRight') return;
-          event.preventDefault();
-          event.stopPropagation();
-          player.step(event.key === 'ArrowLeft' ? -1 : 1);
-        }}
-      />
+      <span className="time-line">
+        <input
+          type="range"
+          min={first}
+          max={Math.max(end, first + 1e-3)}
+          step="any"
+          value={t}
+          aria-label={text.world.slider}
+          aria-valuetext={`${t.toFixed(1)} s`}
+          onChange={(event) => player.seek(Number(event.target.value))}
+          onKeyDown={(event) => {
+            if (event.key !== 'ArrowLeft' && event.key !== 'ArrowRight') return;
+            event.preventDefault();
+            event.stopPropagation();
+            player.step(event.key === 'ArrowLeft' ? -1 : 1);
+          }}
+        />
+        <Marks timeline={timeline} first={first} end={end} />
+      </span>
       <output className="time-now">{t.toFixed(1)} s</output>
       <label>
         <span className="for-readers">{text.world.speed}</span>

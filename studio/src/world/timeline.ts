@@ -1,37 +1,26 @@
 import type { GridChange, Sample } from '../api/samples';
-import type { GoalEvent, Info, LogEvent, Scene, Stream } from '../api/types';
-
-/** Index of the last entry not later than t; -1 before the first. `times` ascends. */
-export function indexAt(times: readonly number[], t: number): number {
-  let low = 0;
-  let high = times.length;
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (times[middle] <= t) low = middle + 1;
-    else high = middle;
-  }
-  return low - 1;
-}
+import type { GoalEvent, Info, InterventionEvent, LogEvent, Scene, Stream } from '../api/types';
+import { indexAt, RowTrack, thinned } from './rows';
 
 /** Things that each hold from their time on. */
 class Track<T> {
-  readonly times: number[] = [];
-  readonly values: T[] = [];
+  times: number[] = [];
+  values: T[] = [];
+
+  constructor(private readonly most: number) {}
 
   add(t: number, value: T): void {
+    if (this.times.length >= this.most) {
+      const stay = thinned(this.times.length);
+      this.times = stay.map((i) => this.times[i]);
+      this.values = stay.map((i) => this.values[i]);
+    }
     this.times.push(t);
     this.values.push(value);
   }
 
   at(t: number): T | undefined {
     return this.values[indexAt(this.times, t)];
-  }
-
-  /** Forgets the oldest half. */
-  halve(): void {
-    const half = this.times.length >> 1;
-    this.times.splice(0, half);
-    this.values.splice(0, half);
   }
 }
 
@@ -47,61 +36,117 @@ export interface MapState {
   version: number;
 }
 
-/** Applies changes on the way to a time; on the way back it begins anew at the last whole map. */
-class MapTrack {
-  private readonly track = new Track<{ base: number; grid: GridChange }>();
+/** Cells of a whole map that hold anything, as a change from nothing. */
+function wholeOf(state: MapState): GridChange {
+  const { columns, rows, origin, cell_m, layers, values } = state;
+  const cells: number[] = [];
+  for (let cell = 0; cell < columns * rows; cell += 1) {
+    for (let layer = 0; layer < layers; layer += 1) {
+      if (values[cell * layers + layer] === 0) continue;
+      cells.push(cell);
+      break;
+    }
+  }
+  const copied = new Uint8Array(cells.length * layers);
+  cells.forEach((cell, i) => {
+    copied.set(values.subarray(cell * layers, (cell + 1) * layers), i * layers);
+  });
+  return { columns, rows, origin, cell_m, layers, cells: Uint32Array.from(cells), values: copied };
+}
+
+/** Applies changes on the way to a time; on the way back it begins anew at the last whole map. When all changes together
+ *  are too many, the older half becomes one map, and what was before it is shown as that. */
+export class MapTrack {
+  private times: number[] = [];
+  private values: { base: number; grid: GridChange }[] = [];
+  private bytes = 0;
   private shown = -1;
+  private changes = 0;
   private state: MapState | null = null;
 
+  constructor(private readonly most_bytes: number) {}
+
   add(t: number, base: number, grid: GridChange): void {
-    this.track.add(t, { base, grid });
+    this.times.push(t);
+    this.values.push({ base, grid });
+    this.bytes += sizeOf(grid);
+    if (this.bytes > this.most_bytes && this.times.length > 2) this.fold();
+  }
+
+  private fold(): void {
+    const last = this.times.length >> 1;
+    this.state = null;
+    this.shown = -1;
+    const state = this.at(this.times[last]);
+    if (!state) return;
+    const first = this.times[0];
+    this.times = [first, ...this.times.slice(last + 1)];
+    this.values = [{ base: 0, grid: wholeOf(state) }, ...this.values.slice(last + 1)];
+    this.bytes = this.values.reduce((sum, one) => sum + sizeOf(one.grid), 0);
+    this.state = null;
+    this.shown = -1;
   }
 
   at(t: number): MapState | null {
-    const wanted = indexAt(this.track.times, t);
+    const wanted = indexAt(this.times, t);
     if (wanted === this.shown) return this.state;
     const start = wanted > this.shown ? this.shown + 1 : 0;
     this.shown = wanted;
     if (wanted < 0) this.state = null;
     let from = Math.max(wanted, start);
-    while (from > start && this.track.values[from].base !== 0) from -= 1;
-    for (let i = from; i <= wanted; i += 1) this.apply(this.track.values[i].base, this.track.values[i].grid, i);
+    while (from > start && this.values[from].base !== 0) from -= 1;
+    for (let i = from; i <= wanted; i += 1) this.apply(this.values[i].base, this.values[i].grid);
     return this.state;
   }
 
-  private apply(base: number, grid: GridChange, version: number): void {
+  private apply(base: number, grid: GridChange): void {
     const size = grid.columns * grid.rows * grid.layers;
+    this.changes += 1;
     if (base === 0 || !this.state || this.state.values.length !== size) {
       const { columns, rows, origin, cell_m, layers } = grid;
-      this.state = { columns, rows, origin, cell_m, layers, values: new Uint8Array(size), version };
+      this.state = { columns, rows, origin, cell_m, layers, values: new Uint8Array(size), version: this.changes };
     }
     const { values, layers } = this.state;
     grid.cells.forEach((cell, i) => {
       for (let layer = 0; layer < layers; layer += 1) values[cell * layers + layer] = grid.values[i * layers + layer];
     });
-    this.state.version = version;
+    this.state.version = this.changes;
   }
 }
 
-export interface RowTrack {
-  stream: Stream;
-  columns: Map<string, number>;
-  rows: Track<Float64Array>;
+function sizeOf(grid: GridChange): number {
+  return kChangeBytes + grid.cells.byteLength + grid.values.byteLength;
 }
 
-const kMostRows = 120_000;
+// What a run that goes on for hours may take: what is older is kept in coarser steps.
+const kRowBytes = 24 << 20; // of all robots together
+const kLeastRows = 1800; // if each robot can have fewer, only the first keeps all of its columns
+const kMapBytes = 16 << 20;
+const kChangeBytes = 300;
+const kMostMoves = 4000;
+const kMostRoutes = 4000;
+const kMostEvents = 10_000;
 
 export type Mover = { id: string; x_m: number; y_m: number; yaw_rad: number };
+
+/** To the end of a list that forgets its oldest half where it gets too long. */
+function append<T>(list: T[], one: T): void {
+  if (list.length >= kMostEvents) list.splice(0, kMostEvents / 2);
+  list.push(one);
+}
 
 /** All that is known of one run: live runs grow it, recordings fill it at once, and both are looked at by time. */
 export class Timeline {
   readonly robots: RowTrack[] = [];
   readonly maps: { topic: string; layers: string[]; track: MapTrack }[] = [];
   readonly paths: { topic: string; track: Track<Float64Array> }[] = [];
-  readonly movers = new Track<Mover[]>();
+  readonly movers = new Track<Mover[]>(kMostMoves);
   readonly goals: GoalEvent[] = [];
   readonly logs: LogEvent[] = [];
+  readonly interventions: InterventionEvent[] = [];
   end = 0;
+  /** Nothing is to come that it does not have. */
+  complete = false;
   private readonly takers = new Map<number, (sample: Sample) => void>();
 
   constructor(
@@ -114,29 +159,35 @@ export class Timeline {
 
   /** Those that are new: maps and routes may come to a run that goes on. */
   addStreams(streams: Stream[]): void {
-    for (const stream of streams) {
-      if (!this.takers.has(stream.stream)) this.takers.set(stream.stream, this.taker(stream));
-    }
+    const fresh = streams.filter((stream) => !this.takers.has(stream.stream));
+    const rows = fresh.filter((stream) => stream.kind === 'row');
+    const width = rows.reduce((sum, stream) => sum + stream.columns.length, 0);
+    const fits = width * 8 * kLeastRows <= kRowBytes;
+    for (const stream of fresh) this.takers.set(stream.stream, this.taker(stream, rows.length, fits));
   }
 
-  private taker(stream: Stream): (sample: Sample) => void {
+  /** Of the others in a crowd: what the picture of the world needs. */
+  private rowTrack(stream: Stream, robots: number, fits: boolean): RowTrack {
+    const index = this.robots.length;
+    if (fits) return new RowTrack(stream, kRowBytes / robots);
+    if (index === 0) return new RowTrack(stream, kRowBytes / 2);
+    const seen = new Set(this.info?.robots[index]?.sensors.map((sensor) => sensor.signal));
+    return new RowTrack(stream, kRowBytes / 2 / robots, (name) => name.startsWith('truth.') || seen.has(name));
+  }
+
+  private taker(stream: Stream, robots: number, fits: boolean): (sample: Sample) => void {
     if (stream.kind === 'row') {
-      const columns = new Map(stream.columns.map((column, i) => [column.name, i]));
-      const robot = { stream, columns, rows: new Track<Float64Array>() };
-      this.robots.push(robot);
-      return (sample) => {
-        if (sample.kind !== 'row') return;
-        if (robot.rows.times.length >= kMostRows) robot.rows.halve();
-        robot.rows.add(sample.t, sample.values);
-      };
+      const track = this.rowTrack(stream, robots, fits);
+      this.robots.push(track);
+      return (sample) => sample.kind === 'row' && track.add(sample.t, sample.values);
     }
     if (stream.kind === 'grid') {
-      const track = new MapTrack();
+      const track = new MapTrack(kMapBytes);
       this.maps.push({ topic: stream.topic, layers: stream.layers, track });
       return (sample) => sample.kind === 'grid' && track.add(sample.t, sample.base, sample.grid);
     }
     if (stream.kind === 'path') {
-      const track = new Track<Float64Array>();
+      const track = new Track<Float64Array>(kMostRoutes);
       this.paths.push({ topic: stream.topic, track });
       return (sample) => sample.kind === 'path' && track.add(sample.t, sample.points);
     }
@@ -148,20 +199,42 @@ export class Timeline {
     this.end = Math.max(this.end, sample.t);
   }
 
-  addEvent(event: GoalEvent | LogEvent): void {
-    if (event.event === 'goal') this.goals.push(event);
-    else this.logs.push(event);
+  addEvent(event: GoalEvent | InterventionEvent | LogEvent): void {
+    if (event.event === 'goal') append(this.goals, event);
+    else if (event.event === 'log') append(this.logs, event);
+    else {
+      append(this.interventions, event);
+      this.end = Math.max(this.end, event.time_s); // it is told at once, before the tick it counts for
+    }
   }
 
   /** A robot's value at a time; NaN where there is none. */
   value(robot: number, column: string, t: number): number {
     const track = this.robots[robot];
     const index = track?.columns.get(column);
-    return index === undefined ? Number.NaN : (track.rows.at(t)?.[index] ?? Number.NaN);
+    return index === undefined ? Number.NaN : track.value(track.at(t), index);
+  }
+
+  /** Seconds between two rows where none is missing, as far as can be told from those that came. */
+  private tick(): number {
+    let least = Number.POSITIVE_INFINITY;
+    for (let i = 1; i < this.times.length; i += 1) least = Math.min(least, this.times[i] - this.times[i - 1]);
+    return least;
+  }
+
+  /** Whether all rows of so long a run are here, but for a few that time did not allow for. */
+  isWhole(time_s: number): boolean {
+    return this.times.length > 1 && this.times.length >= 0.98 * (time_s / this.tick());
+  }
+
+  /** What all rows of so long a run would take. */
+  bytesOf(time_s: number): number {
+    const columns = this.robots.reduce((sum, robot) => sum + robot.columns.size, 0);
+    return (8 * columns * time_s) / this.tick();
   }
 
   /** Times of one robot's rows: what a step goes along. */
   get times(): readonly number[] {
-    return this.robots[0]?.rows.times ?? [];
+    return this.robots[0]?.times ?? [];
   }
 }

@@ -52,6 +52,11 @@ export class View {
     return this.middle[1] - (metres - this.centre[1]) * this.scale;
   }
 
+  /** The point of the world at a point of the canvas. */
+  metres(x: number, y: number): [number, number] {
+    return [this.centre[0] + (x - this.middle[0]) / this.scale, this.centre[1] - (y - this.middle[1]) / this.scale];
+  }
+
   zoomBy(factor: number, x = this.middle[0], y = this.middle[1]): void {
     const zoom = Math.min(60, Math.max(0.5, this.zoom * factor));
     const change = 1 / this.scale - this.zoom / (this.scale * zoom);

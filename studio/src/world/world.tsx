@@ -1,48 +1,27 @@
-import { type PointerEvent, useEffect, useRef, useState } from 'react';
+import { useEffect, useRef, useState } from 'react';
 import { closeRecording, useRun } from '../run/run';
 import { useText } from '../text/text';
 import { onColours } from '../theme/settings';
 import { Icon } from '../ui/icons';
+import { drawIntent } from './draw_intent';
 import { MapPainter } from './draw_map';
 import { poseAt } from './draw_robot';
 import { Drives } from './drives';
 import { Events } from './events';
+import { useHand } from './hand';
 import { Legend } from './legend';
 import { paintWorld } from './paint';
 import { player, usePlayer } from './player';
+import { type Intent, mayPutObstacle, maySetGoal } from './reach';
 import { TimeBar } from './time_bar';
 import { View, worldColours } from './view';
 
 const kZoomStep = 1.3;
 
-/** Wheel, drag and pinch of one canvas. */
-function useHand(view: { current: View | null }) {
-  const pointers = useRef(new Map<number, [number, number]>());
-  const down = (event: PointerEvent<HTMLCanvasElement>) => {
-    pointers.current.set(event.pointerId, [event.clientX, event.clientY]);
-    event.currentTarget.setPointerCapture(event.pointerId);
-  };
-  const move = (event: PointerEvent) => {
-    const before = pointers.current.get(event.pointerId);
-    if (!before || !view.current) return;
-    const others = [...pointers.current].filter(([id]) => id !== event.pointerId);
-    const now: [number, number] = [event.clientX, event.clientY];
-    if (others.length === 0) view.current.panBy(now[0] - before[0], now[1] - before[1]);
-    else {
-      const [, other] = others[0];
-      const apart = (at: [number, number]) => Math.hypot(at[0] - other[0], at[1] - other[1]);
-      view.current.zoomBy(apart(now) / (apart(before) || 1));
-    }
-    pointers.current.set(event.pointerId, now);
-    player.wake();
-  };
-  const up = (event: PointerEvent) => pointers.current.delete(event.pointerId);
-  return { onPointerDown: down, onPointerMove: move, onPointerUp: up, onPointerCancel: up };
-}
-
 function useWorldCanvas(layer: string) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const view = useRef<View | null>(null);
+  const intent = useRef<Intent>({ cell: null, ghost: null });
   useEffect(() => {
     const element = canvas.current;
     if (!element) return;
@@ -50,9 +29,10 @@ function useWorldCanvas(layer: string) {
     const seen = view.current;
     const painter = new MapPainter();
     let colours = worldColours();
-    const paint = player.addPainter((timeline, t, robot) =>
-      paintWorld(seen, painter, timeline, t, robot, layer, colours),
-    );
+    const paint = player.addPainter((timeline, t, robot) => {
+      paintWorld(seen, painter, timeline, t, robot, layer, colours);
+      drawIntent(seen, timeline, intent.current, colours);
+    });
     const coloured = onColours(() => {
       colours = worldColours();
       player.wake();
@@ -73,7 +53,7 @@ function useWorldCanvas(layer: string) {
       element.removeEventListener('wheel', wheel);
     };
   }, [layer]);
-  return { canvas, view };
+  return { canvas, view, intent };
 }
 
 function Tools({
@@ -144,6 +124,16 @@ function RecordingBar() {
   );
 }
 
+/** What a pointer can do to the world, while it can. */
+function Hint() {
+  const text = useText();
+  usePlayer((state) => state.following && state.timeline);
+  useRun((run) => run.state?.state);
+  useRun((run) => run.recording);
+  const words = [maySetGoal() && text.reach.hint_goal, mayPutObstacle() && text.reach.hint_obstacle].filter(Boolean);
+  return words.length > 0 ? <p className="world-hint">{words.join(' ')}</p> : null;
+}
+
 /** The world of the run that is looked at, live or recorded, with its time. */
 export function World() {
   const text = useText();
@@ -152,8 +142,8 @@ export function World() {
   usePlayer(({ timeline: one }) => one && `${one.maps.length} ${one.paths.length} ${one.goals.length}`);
   const layers = timeline?.maps[0]?.layers ?? [];
   const [layer, setLayer] = useState('label');
-  const { canvas, view } = useWorldCanvas(layer);
-  const hand = useHand(view);
+  const { canvas, view, intent } = useWorldCanvas(layer);
+  const hand = useHand(view, intent);
   return (
     <section className="world" aria-label={text.panes.world}>
       <RecordingBar />
@@ -167,6 +157,7 @@ export function World() {
           <TimeBar />
           <div className="world-about">
             <Spoken />
+            <Hint />
             <Drives />
             <Legend timeline={timeline} />
             <Events />

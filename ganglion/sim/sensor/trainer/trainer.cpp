@@ -81,21 +81,21 @@ Result<void> Trainer::draw_goals(CellGrid::Cell start, Draws& draws) {
 Result<void> Trainer::reset(const Scene& scene, Draws draws) {
   goals_.clear();
   records_.clear();
+  next_ = goals_set_ = 0;
   withdrawn_ = false;
   if (auto made = make_grid(scene); !made) return made;
-  const CellGrid::Cell start = grid_->cell_at(scene.robot.pose.position);
+  begin_ = grid_->cell_at(scene.robot.pose.position);
   if (!config_.cells.empty()) {
-    state_goals(start);
-  } else if (auto drawn = draw_goals(start, draws); !drawn) {
+    state_goals(begin_);
+  } else if (auto drawn = draw_goals(begin_, draws); !drawn) {
     return drawn;
   }
   records_.reserve(goals_.size());
-  set_goal(scene);
+  set_next_goal(scene);
   return {};
 }
 
-void Trainer::set_goal(const Scene& scene) noexcept {
-  const Goal& goal = goals_[records_.size()];
+void Trainer::open(const Scene& scene, const Goal& goal) noexcept {
   GoalRecord record{.tick = scene.tick,
                     .start = grid_->cell_at(scene.robot.pose.position),
                     .goal = goal.cell,
@@ -141,17 +141,45 @@ void Trainer::conclude(const Scene& scene, GoalOutcome outcome) noexcept {
 }
 
 bool Trainer::done() const noexcept {
-  return records_.size() == goals_.size() && !records_.empty() && records_.back().outcome != GoalOutcome::Open;
+  return next_ == goals_.size() && !records_.empty() && records_.back().outcome != GoalOutcome::Open;
+}
+
+Result<Vector2> Trainer::set_goal(const Scene& scene, Vector2 point) {
+  const CellGrid::Cell cell = grid_->cell_at(point);
+  const Vector2 centre = grid_->centre(cell);
+  if (!grid_->contains(cell) || !grid_->free(cell)) {
+    return fail(ErrorCode::BadParameter,
+                "cell ({}, {}) at ({:.2f}, {:.2f}) cannot be a goal: there is no room for the robot at its centre",
+                cell.column, cell.row, centre.x, centre.y);
+  }
+  if (records_.back().goal == cell) {
+    return fail(ErrorCode::BadParameter, "cell ({}, {}) at ({:.2f}, {:.2f}) is the goal already", cell.column, cell.row,
+                centre.x, centre.y);
+  }
+  if (goals_set_ == kMaxGoalsSet) {
+    return fail(ErrorCode::TooLarge, "{} goals have been set in this run; the limit is {}", goals_set_, kMaxGoalsSet);
+  }
+  if (records_.back().outcome == GoalOutcome::Open) conclude(scene, outcome(scene).value_or(GoalOutcome::Replaced));
+  withdrawn_ = false;
+  ++goals_set_;
+  records_.reserve(goals_.size() + goals_set_);
+  const auto reachable = grid_->reachable_from(begin_);
+  open(scene, {cell, std::find(reachable.begin(), reachable.end(), cell) != reachable.end()});
+  return centre;
 }
 
 void Trainer::measure(const Scene& scene, Draws&, std::span<double> values) noexcept {
   if (!done()) {
     if (const auto reached = outcome(scene)) {
       conclude(scene, *reached);
-      if (records_.size() < goals_.size()) set_goal(scene);
+      if (next_ < goals_.size()) set_next_goal(scene);
     }
   }
   withdrawn_ = false;
+  tell_goal(scene, values);
+}
+
+void Trainer::tell_goal(const Scene& scene, std::span<double> values) const noexcept {
   const CellGrid::Cell goal = records_.back().goal;
   const Vector2 way = grid_->centre(goal) - scene.robot.pose.position;
   values[0] = goal.column;

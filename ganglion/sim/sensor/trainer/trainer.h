@@ -25,8 +25,9 @@ struct TrainerConfig {
 /// Channel `goal` {column, row}  the cell wanted, floor(position / cell_m); after the last outcome it keeps its value.
 /// Channel `direction` [rad]     bearing of that cell's centre from the robot, in the world's frame.
 /// Drawn goals are free cells that the robot's disc can step to from where the episode begins, movers aside; sealed
-/// ones are free cells that it cannot. No goal is drawn twice in a row. Source    "A growing functional modules
-/// locomotion subsystem", section 5; drawing, patience and log are ours.
+/// ones are free cells that it cannot. No goal is drawn twice in a row. Somebody may set a goal in place of the present
+/// one, or after the last: then come the goals that were left. Source    "A growing functional modules locomotion
+/// subsystem", section 5; drawing, patience, log and goals set by somebody are ours.
 class Trainer final : public Sensor, public TrainerLog {
  public:
   explicit Trainer(TrainerConfig config) : config_(std::move(config)) {}
@@ -38,9 +39,16 @@ class Trainer final : public Sensor, public TrainerLog {
   void hear(const ActFrame& frame) noexcept override;
   void measure(const Scene& scene, Draws& draws, std::span<double> values) noexcept override;
   const TrainerLog* trainer_log() const noexcept override { return this; }
+  /// The cell that holds the point is the goal from now on; gives its centre. The present goal gets its outcome, or is
+  /// Replaced. Fails with BadParameter where no robot could stand at that centre, or where it is the goal already, with
+  /// TooLarge after kMaxGoalsSet of them. Takes memory.
+  Result<Vector2> set_goal(const Scene& scene, Vector2 point) override;
+  void tell_goal(const Scene& scene, std::span<double> values) const noexcept override;
 
   std::span<const GoalRecord> records() const noexcept override { return records_; }
   bool done() const noexcept override;
+
+  static constexpr std::size_t kMaxGoalsSet = 1000;
 
  private:
   struct Goal {
@@ -50,7 +58,8 @@ class Trainer final : public Sensor, public TrainerLog {
   Result<void> make_grid(const Scene& scene);
   Result<void> draw_goals(CellGrid::Cell start, Draws& draws);
   void state_goals(CellGrid::Cell start);
-  void set_goal(const Scene& scene) noexcept;
+  void set_next_goal(const Scene& scene) noexcept { open(scene, goals_[next_++]); }
+  void open(const Scene& scene, const Goal& goal) noexcept;
   void measure_ways(const Scene& scene, GoalRecord& record) noexcept;
   std::optional<GoalOutcome> outcome(const Scene& scene) const noexcept;
   void conclude(const Scene& scene, GoalOutcome outcome) noexcept;
@@ -61,9 +70,12 @@ class Trainer final : public Sensor, public TrainerLog {
   std::optional<CellGrid::Workspace> workspace_;
   std::optional<SteeredWay> steered_way_;  // only for robots that do not turn on the spot
   std::vector<CellGrid::Cell> taken_;      // by movers
-  std::vector<Goal> goals_;
-  std::vector<GoalRecord> records_;  // room for all goals
-  double set_s_ = 0;                 // time at which the present goal was set
+  std::vector<Goal> goals_;                // its own
+  std::size_t next_ = 0;                   // of them
+  std::size_t goals_set_ = 0;              // by somebody
+  CellGrid::Cell begin_;                   // where the robot was then
+  std::vector<GoalRecord> records_;        // room for all goals
+  double set_s_ = 0;                       // time at which the present goal was set
   double set_travelled_m_ = 0;
   bool withdrawn_ = false;
   ReasonCode reason_ = ReasonCode::None;

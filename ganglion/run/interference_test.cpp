@@ -1,0 +1,202 @@
+#include "ganglion/run/interference.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
+#include "ganglion/link/net/server.h"
+#include "ganglion/link/robot/robot_end.h"
+#include "ganglion/run/replay.h"
+#include "ganglion/run/run_robots.h"
+
+// Somebody reaches into the world of a run: sets goals, puts obstacles elsewhere.
+namespace ganglion {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kPathfinder = fs::path(GANGLION_SOURCE_DIR) / "experiments" / "pathfinder";
+
+/// The pathfinder among crates that move, for 60 ticks of 1 s.
+Prepared prepared(const std::vector<config::Override>& more = {}) {
+  std::vector<config::Override> overrides = {
+      {"run.duration_s", "60"}, {"application.world", "\"" + (kPathfinder / "rooms_moving.toml").string() + "\""}};
+  overrides.insert(overrides.end(), more.begin(), more.end());
+  Problems problems;
+  auto made = prepare(kPathfinder, overrides, problems);
+  EXPECT_EQ(problems.text(), "");
+  return made.value();
+}
+
+RunResult result_of(const Prepared& prepared, const RunOptions& options) {
+  auto result = run(prepared, options);
+  EXPECT_TRUE(result) << result.error().text();
+  return result ? *result : RunResult{};
+}
+
+const std::vector<TimedIntervention> kPlan = {
+    {0, sim::SetGoal{0, {2.3, 9.4}}}, {12, sim::PutMover{"crate_1", {10.25, 9.25}}}, {20, sim::SetGoal{0, {0.8, 8.2}}}};
+
+class ATouchedRun : public ::testing::Test {
+ protected:
+  ATouchedRun() : file_(fs::temp_directory_path() / ("touched_" + std::to_string(::getpid()) + ".mcap")) {}
+  ~ATouchedRun() override { fs::remove(file_); }
+  RunFile recorded() const {
+    auto file = RunFile::read(file_);
+    EXPECT_TRUE(file) << file.error().text();
+    return *file;
+  }
+  fs::path file_;
+};
+
+TEST_F(ATouchedRun, HasItsOwnDigestTheSameForTheSameTouches) {
+  const Prepared rooms = prepared();
+  const RunResult first = result_of(rooms, {.interventions = kPlan}),
+                  again = result_of(rooms, {.interventions = kPlan});
+  EXPECT_EQ(first.digest, again.digest);
+  EXPECT_EQ(first.component_digests, again.component_digests);
+  EXPECT_EQ(first.interventions, 3u);
+  EXPECT_NE(first.reason.find("; interventions: 3"), std::string::npos) << first.reason;
+  EXPECT_NE(first.reason_es.find("; intervenciones: 3"), std::string::npos) << first.reason_es;
+  EXPECT_GE(measure(first.measures, "goals_reached"), 1) << "the one set before the first tick is four cells off";
+  EXPECT_EQ(measure(first.measures, "goals_replaced"), 2) << "the trainer's first, and its next, open at 20 s";
+  auto later = kPlan;
+  later[1].tick = 13;
+  EXPECT_NE(result_of(rooms, {.interventions = later}).digest, first.digest);
+}
+
+TEST_F(ATouchedRun, IsNotTakenForTheSeedsOwnEvenWhereNothingCameOfIt) {
+  const Prepared rooms = prepared();
+  const RunResult alone = result_of(rooms, {});
+  RunOptions options;
+  Reach reach;
+  options.reach = [&](Reach given) { reach = std::move(given); };
+  EXPECT_EQ(result_of(rooms, options).digest, alone.digest) << "who could reach in and did not leaves it alone";
+  EXPECT_EQ(alone.interventions, 0u);
+  options.progress = [&](double share) {
+    if (share == 1) {  // after the last tick
+      EXPECT_TRUE(reach(sim::PutMover{"crate_8", {3.25, 5.75}}));
+    }
+    return true;
+  };
+  const RunResult touched = result_of(rooms, options);
+  EXPECT_NE(touched.digest, alone.digest);
+  EXPECT_EQ(touched.component_digests.size(), alone.component_digests.size() + 1);
+}
+
+TEST_F(ATouchedRun, GivesTheSameWhetherPlannedOrDoneMeanwhile) {
+  const Prepared rooms = prepared();
+  RunOptions options;
+  Reach reach;
+  std::uint32_t ticks = 0;
+  std::size_t next = 0;
+  const auto act = [&] {
+    for (; next < kPlan.size() && kPlan[next].tick == ticks; ++next) EXPECT_TRUE(reach(kPlan[next].what));
+    return true;
+  };
+  options.reach = [&](Reach given) { reach = std::move(given); };
+  options.armed = act;
+  options.progress = [&](double) { return ++ticks, act(); };
+  EXPECT_EQ(result_of(rooms, options).digest, result_of(rooms, {.interventions = kPlan}).digest);
+}
+
+TEST_F(ATouchedRun, RecordsWhatWasDoneAndWhenAndIsRepeatedBitForBit) {
+  const RunResult result = result_of(prepared(), {.run_file = file_, .interventions = kPlan});
+  const RunFile file = recorded();
+  ASSERT_TRUE(file.outcome);
+  EXPECT_EQ(file.outcome->interventions, 3u);
+  const auto list = interventions_of(file);
+  ASSERT_TRUE(list);
+  ASSERT_EQ(list->size(), 3u);
+  EXPECT_EQ((*list)[1].tick, 12u);
+  EXPECT_EQ(std::get<sim::PutMover>((*list)[1].what).mover, "crate_1");
+  EXPECT_EQ(std::get<sim::PutMover>((*list)[1].what).point, (Vector2{10.25, 9.25}));
+  EXPECT_EQ(std::get<sim::SetGoal>((*list)[2].what).point, (Vector2{0.8, 8.2}));
+  const auto& movers = file.json.at("/movers").messages;
+  EXPECT_TRUE(std::any_of(movers.begin(), movers.end(), [](const JsonMessage& message) {
+    return message.time_s == 12 && message.text.find(R"({"id":"crate_1","x_m":10.25,"y_m":9.25)") != std::string::npos;
+  }));
+  const auto& goals = file.json.at("/robot0/goals").messages;
+  EXPECT_NE(goals[0].text.find("replaced"), std::string::npos) << goals[0].text;
+  EXPECT_NE(goals[1].text.find(R"("x_m":2.25,"y_m":9.25,"state":"set")"), std::string::npos) << goals[1].text;
+  const auto replayed = replay_run(file_);
+  ASSERT_TRUE(replayed) << replayed.error().text();
+  EXPECT_TRUE(replayed->same) << replayed->signal;
+  EXPECT_EQ(replayed->digest, result.digest);
+}
+
+TEST_F(ATouchedRun, IsRepeatedAsFarAsItWentWhenItWasCutShort) {
+  RunOptions options{.run_file = file_};
+  Reach reach;
+  std::uint32_t ticks = 0;
+  options.reach = [&](Reach given) { reach = std::move(given); };
+  options.progress = [&](double) {
+    if (++ticks == 15) {
+      EXPECT_TRUE(reach(sim::SetGoal{0, {0.8, 8.2}}));
+    }
+    return ticks < 15;
+  };
+  const RunResult result = result_of(prepared(), options);
+  const auto replayed = replay_run(file_);
+  ASSERT_TRUE(replayed) << replayed.error().text();
+  EXPECT_TRUE(replayed->same);
+  EXPECT_EQ(replayed->digest, result.digest);
+}
+
+TEST_F(ATouchedRun, FailsWhereWhatWasPlannedCannotBe) {
+  const auto failed = run(prepared(), {.interventions = {{5, sim::PutMover{"crate_1", {4.25, 9}}}}});
+  ASSERT_FALSE(failed);
+  EXPECT_EQ(
+      failed.error().message,
+      "what was to be done before tick 5 cannot be: \"crate_1\" cannot stand at (4.25, 9.00): a wall or something "
+      "solid is there");
+}
+
+TEST_F(ATouchedRun, RefusesWhereTheRobotsAreAtTheOtherEndOfALink) {
+  const Prepared here = prepared();
+  RunRobots robots = RunRobots::simulate(here, here.ground, {}).value();
+  link::RobotEndConfig config;
+  config.token = link::random_token;
+  link::RobotEnd end(robots.application(), robots.witness(), config);
+  auto server = link::Server::listen(end, *link::parse_address("tcp://127.0.0.1:0"));
+  ASSERT_TRUE(server) << server.error().message;
+  std::atomic<bool> stop = false;
+  std::jthread serving([&] { (*server)->serve([&] { return stop.load(); }, "the test is over"); });
+  const std::string address = "\"" + (*server)->address().text + "\"";
+  RunOptions options;
+  std::string said;
+  options.reach = [&](const Reach& reach) {
+    const auto done = reach(sim::SetGoal{0, {2.3, 9.4}});
+    said = done ? "" : done.error().message;
+  };
+  const RunResult result = result_of(prepared({{"application.address", address}, {"run.duration_s", "3"}}), options);
+  EXPECT_TRUE(said.starts_with("the robots are at the other end of a link")) << said;
+  EXPECT_EQ(result.interventions, 0u);
+  stop = true;
+}
+
+TEST(InterventionsOf, RefusesWhatItCannotMakeOut) {
+  const auto read = [](std::vector<JsonMessage> messages) {
+    RunFile file;
+    file.json[std::string(kInterventionTopic)].messages = std::move(messages);
+    const auto list = interventions_of(file);
+    return list ? std::string() : list.error().message;
+  };
+  const std::string good = intervention_json({7, sim::SetGoal{1, {0.1, 1e-9}}});
+  EXPECT_EQ(read({{7, good}}), "");
+  EXPECT_EQ(read({{7, good}, {6.5, intervention_json({6, sim::PutMover{"a", {}}})}}),
+            "the run file's intervention 2 at 6.5 s cannot be made out");
+  for (const char* bad :
+       {"", "[]", "{}", R"({"tick":1,"what":"goal","robot":-1,"x_m":0,"y_m":0})",
+        R"({"tick":1,"what":"goal","robot":0,"x_m":"0","y_m":0})",
+        R"({"tick":-1,"what":"obstacle","mover":"a","x_m":0,"y_m":0})",
+        R"({"tick":1,"what":"obstacle","mover":3,"x_m":0,"y_m":0})", R"({"tick":1,"what":"door","x_m":0,"y_m":0})"}) {
+    EXPECT_NE(read({{0, bad}}), "") << bad;
+  }
+}
+
+}  // namespace
+}  // namespace ganglion

@@ -1,0 +1,36 @@
+/** Words of what a person does to a running world. */
+export const reachEn = {
+  hint_goal: 'Click on free ground to set the goal.',
+  hint_obstacle: 'Drag a grey obstacle to put it elsewhere.',
+  goal_title: 'Set a goal',
+  obstacle_title: 'Move an obstacle',
+  obstacle: 'Obstacle',
+  x: 'x [m]',
+  y: 'y [m]',
+  numbers: 'Write two numbers.',
+  put: 'Put it there',
+  set: 'Set it',
+  goal_set: (x: string, y: string) => `Goal set at ${x} m, ${y} m.`,
+  goal_sealed: 'No way leads there from where the run began, moving obstacles aside.',
+  obstacle_put: (id: string, x: string, y: string) => `${id} put at ${x} m, ${y} m.`,
+  event_goal: (x: string, y: string) => `by hand: goal at ${x}, ${y}`,
+  event_obstacle: (id: string, x: string, y: string) => `by hand: ${id} to ${x}, ${y}`,
+};
+
+export const reachEs: typeof reachEn = {
+  hint_goal: 'Pulse en suelo libre para fijar el objetivo.',
+  hint_obstacle: 'Arrastre un obstáculo gris para ponerlo en otro lugar.',
+  goal_title: 'Fijar un objetivo',
+  obstacle_title: 'Mover un obstáculo',
+  obstacle: 'Obstáculo',
+  x: 'x [m]',
+  y: 'y [m]',
+  numbers: 'Escriba dos números.',
+  put: 'Ponerlo ahí',
+  set: 'Fijarlo',
+  goal_set: (x: string, y: string) => `Objetivo fijado en ${x} m, ${y} m.`,
+  goal_sealed: 'Ningún camino lleva allí desde donde empezó la ejecución, sin contar los obstáculos móviles.',
+  obstacle_put: (id: string, x: string, y: string) => `${id} puesto en ${x} m, ${y} m.`,
+  event_goal: (x: string, y: string) => `a mano: objetivo en ${x}, ${y}`,
+  event_obstacle: (id: string, x: string, y: string) => `a mano: ${id} a ${x}, ${y}`,
+};
