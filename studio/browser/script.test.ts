@@ -46,6 +46,16 @@ test('on the canvas a name that carries a script is text', async () => {
   await nothingCameOfIt(page);
 });
 
+test('the inspector shows it as text', async () => {
+  await page.locator('.canvas').focus();
+  await page.keyboard.press('Control+f');
+  await page.keyboard.type('onerror');
+  await page.keyboard.press('Enter');
+  await expect.poll(() => page.locator('.right h2').innerText()).toContain(kMarkup);
+  await expect.poll(() => page.locator('.right pre').allInnerTexts().then((all) => all.join())).toContain(`= "<img`);
+  await nothingCameOfIt(page);
+});
+
 test('the problems show it as text', async () => {
   const head = page.locator('.problems-head');
   if ((await head.getAttribute('aria-expanded')) !== 'true') await head.click();
