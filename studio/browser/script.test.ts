@@ -27,7 +27,7 @@ beforeAll(async () => {
   writeFileSync(
     inside('controller.toml'),
     `format = 1\nname = ${toml}\nrobot = "robot.toml"\n
-[[sensation]]\nid = ${JSON.stringify(kShort)}\nchannel = ${toml}\n
+[[sensation]]\nid = ${JSON.stringify(kShort)}\nchannel = ${JSON.stringify(kShort)}\n
 [[acting]]\nid = ${toml}\nkind = ${toml}\nin.left = ${toml}\nin.${toml} = ${toml}\n${toml} = ${toml}\n`,
   );
   page = await studio.page();
