@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <string_view>
+#include <vector>
 
 namespace ganglion {
 
@@ -18,6 +20,27 @@ inline bool json_nests_within(std::string_view json, int most) noexcept {
     if (quoted) continue;
     if ((c == '[' || c == '{') && ++depth > most) return false;
     if (c == ']' || c == '}') --depth;
+  }
+  return true;
+}
+
+/// How often keys may be compared while a JSON text is read: an object of 20,000 keys takes so many.
+inline constexpr std::size_t kMostKeyLooks = 200'000'000;
+
+/// Whether the objects of a JSON text have so few keys that a reader that keeps them in order, and so compares each
+/// with all before it, is done in a moment.
+inline bool json_has_few_keys(std::string_view json) {
+  std::vector<std::size_t> keys(1);  // of each object that is open
+  std::size_t looks = 0;
+  bool quoted = false;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const char c = json[i];
+    if (c == '"') quoted = !quoted;
+    if (quoted && c == '\\') ++i;
+    if (quoted) continue;
+    if (c == '{') keys.push_back(0);
+    if (c == '}' && keys.size() > 1) keys.pop_back();
+    if (c == ':' && (looks += keys.back()++) > kMostKeyLooks) return false;
   }
   return true;
 }

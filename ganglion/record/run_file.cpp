@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ganglion/base/file.h"
 #include "ganglion/record/signals.h"
 
 namespace ganglion {
@@ -90,14 +91,17 @@ Result<void> take_metadata(const std::vector<mcap::Metadata>& metadata, RunFile&
   return {};
 }
 
-Result<RunFile> read_run(const std::filesystem::path& path, Recover recover, bool with_messages) {
+enum class Messages { Left, Read };
+
+Result<RunFile> parse_run(std::string_view bytes, const std::string& name, Recover recover, Messages messages,
+                          std::size_t max_unpacked_bytes = mcap::kMaxUnpackedBytes) {
   RunFile run;
   Collector collector(run);
   MessageSink sink;
-  if (with_messages) {
+  if (messages == Messages::Read) {
     sink = [&](const mcap::Channel& channel, const mcap::Message& message) { collector.take(channel, message); };
   }
-  auto content = read_mcap(path, recover, sink);
+  auto content = parse_mcap(bytes, name, recover, sink, max_unpacked_bytes);
   if (!content) return tl::unexpected(content.error());
   for (const auto& [id, channel] : content->channels) {
     collector.declare(channel);
@@ -109,7 +113,7 @@ Result<RunFile> read_run(const std::filesystem::path& path, Recover recover, boo
   auto outcome = take_metadata(content->metadata, run);
   if (outcome && collector.problem() && recover == Recover::No) outcome = tl::unexpected(*collector.problem());
   if (!outcome) {
-    outcome.error().place.file = path.string();
+    outcome.error().place.file = name;
     return tl::unexpected(outcome.error());
   }
   if (collector.problem()) run.damages.push_back(collector.problem()->message);
@@ -117,14 +121,29 @@ Result<RunFile> read_run(const std::filesystem::path& path, Recover recover, boo
   return run;
 }
 
+Result<RunFile> read_run(const std::filesystem::path& path, Recover recover, Messages messages) {
+  const auto bytes = read_file(path, mcap::kMaxMcapFileBytes);
+  if (!bytes) return tl::unexpected<Error>(bytes.error());
+  return parse_run(*bytes, path.string(), recover, messages);
+}
+
 }  // namespace
 
 Result<RunFile> RunFile::read(const std::filesystem::path& path, Recover recover) {
-  return read_run(path, recover, true);
+  return read_run(path, recover, Messages::Read);
 }
 
 Result<RunFile> RunFile::read_summary(const std::filesystem::path& path, Recover recover) {
-  return read_run(path, recover, false);
+  return read_run(path, recover, Messages::Left);
+}
+
+Result<RunFile> RunFile::parse(std::string_view bytes, const std::string& name, Recover recover,
+                               std::size_t max_unpacked_bytes) {
+  return parse_run(bytes, name, recover, Messages::Read, max_unpacked_bytes);
+}
+
+Result<RunFile> RunFile::parse_summary(std::string_view bytes, const std::string& name, Recover recover) {
+  return parse_run(bytes, name, recover, Messages::Left);
 }
 
 const SignalTable* RunFile::table(std::string_view topic) const noexcept {

@@ -40,6 +40,12 @@ struct RunFile {
   /// Info, outcome and attachments only, without unpacking the messages.
   static Result<RunFile> read_summary(const std::filesystem::path& path, Recover recover = Recover::No);
 
+  /// The same of bytes in memory, `name` being the file's name in messages; what unpacks to more than so many bytes in
+  /// all is TooLarge, damaged or not.
+  static Result<RunFile> parse(std::string_view bytes, const std::string& name, Recover recover,
+                               std::size_t max_unpacked_bytes);
+  static Result<RunFile> parse_summary(std::string_view bytes, const std::string& name, Recover recover);
+
   const SignalTable* table(std::string_view topic) const noexcept;
   const mcap::Attachment* attachment(std::string_view name) const noexcept;
 };

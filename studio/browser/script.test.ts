@@ -27,7 +27,7 @@ beforeAll(async () => {
   writeFileSync(
     inside('controller.toml'),
     `format = 1\nname = ${toml}\nrobot = "robot.toml"\n
-[[sensation]]\nid = ${JSON.stringify(kShort)}\nchannel = ${toml}\n
+[[sensation]]\nid = ${JSON.stringify(kShort)}\nchannel = ${JSON.stringify(kShort)}\n
 [[acting]]\nid = ${toml}\nkind = ${toml}\nin.left = ${toml}\nin.${toml} = ${toml}\n${toml} = ${toml}\n`,
   );
   page = await studio.page();
@@ -43,6 +43,16 @@ async function nothingCameOfIt(where: Page): Promise<void> {
 test('on the canvas a name that carries a script is text', async () => {
   const box = page.locator('.box.class-acting', { hasText: kMarkup });
   await expect.poll(() => box.count()).toBe(1);
+  await nothingCameOfIt(page);
+});
+
+test('the inspector shows it as text', async () => {
+  await page.locator('.canvas').focus();
+  await page.keyboard.press('Control+f');
+  await page.keyboard.type('onerror');
+  await page.keyboard.press('Enter');
+  await expect.poll(() => page.locator('.right h2').innerText()).toContain(kMarkup);
+  await expect.poll(() => page.locator('.right pre').allInnerTexts().then((all) => all.join())).toContain(`= "<img`);
   await nothingCameOfIt(page);
 });
 

@@ -124,6 +124,23 @@ call(3 doctor --robot tcp://127.0.0.1:1)
 call(2 run experiments/nimrod --robot nowhere)
 expect("${err}" "is no address: write tcp://HOST:PORT")
 call(2 frobnicate)
+
+execute_process(COMMAND ${PROGRAM} studio --help RESULT_VARIABLE no_studio OUTPUT_QUIET ERROR_QUIET)
+if(NOT no_studio)  # built with it
+  call(2 studio experiments --listen 0.0.0.0:0 --no-browser)
+  expect("${err}" "can be reached by other machines: say by which name with --allow-host")
+  file(WRITE ${WORK}/open_studio.sh "
+    cd '${WORK}'
+    '${PROGRAM}' studio . --listen 0.0.0.0:0 --allow-host robot.local --no-browser >studio.out 2>studio.err &
+    until grep -q Warning studio.err || ! kill -0 $! 2>/dev/null; do sleep 0.05; done
+    kill -INT $!
+    wait $!")
+  execute_process(COMMAND sh ${WORK}/open_studio.sh TIMEOUT 60)
+  file(READ ${WORK}/studio.out url)
+  expect("${url}" "^http://[^ ]*:[0-9]+/.token=")
+  file(READ ${WORK}/studio.err warning)
+  expect("${warning}" "Warning: other machines can reach this server")
+endif()
 call(0 doctor)
 
 file(WRITE ${WORK}/in.csv "time_s,sonar_left,sonar_right,heading\n0,1,1,0\n1.6,0.3,0.5,0\n3.2,nan,inf,0\n")

@@ -22,8 +22,9 @@ struct Definitions {
 
 class Parser {
  public:
-  Parser(std::string_view bytes, const std::string& name, Recover recover, const MessageSink& sink)
-      : bytes_(bytes), name_(name), recover_(recover), sink_(sink) {}
+  Parser(std::string_view bytes, const std::string& name, Recover recover, const MessageSink& sink,
+         std::size_t max_unpacked_bytes)
+      : bytes_(bytes), name_(name), recover_(recover), sink_(sink), max_unpacked_bytes_(max_unpacked_bytes) {}
 
   Result<McapContent> parse();
 
@@ -51,12 +52,14 @@ class Parser {
   const mcap::Channel* find_channel(std::uint16_t id, const Definitions* found) const;
   void deliver(const mcap::Message& message);
   void note_damage(const Error& error);
+  bool overflowed() const noexcept { return unpacked_total_ > max_unpacked_bytes_; }
   Result<void> count_definition(std::string_view content);
 
   std::string_view bytes_;
   const std::string& name_;
   Recover recover_;
   const MessageSink& sink_;
+  const std::size_t max_unpacked_bytes_;
   McapContent content_;
   Definitions defined_;
   mcap::Decompressor decompressor_;
@@ -78,7 +81,7 @@ Result<McapContent> Parser::parse() {
   if (outcome) outcome = data_section();
   if (outcome) outcome = summary_section();
   if (!outcome) {
-    if (recover_ == Recover::No) return tl::unexpected(outcome.error());
+    if (recover_ == Recover::No || overflowed()) return tl::unexpected(outcome.error());
     note_damage(outcome.error());
   }
   content_.schemas = std::move(defined_.schemas);
@@ -103,7 +106,7 @@ Result<void> Parser::data_section() {
     if (!record) return corrupt(offset_, "the file was cut here; it has no end");
     record_offset_ = offset_;
     if (auto outcome = data_record(*record); !outcome) {
-      if (recover_ == Recover::No || record->opcode == Opcode::DataEnd) return outcome;
+      if (recover_ == Recover::No || record->opcode == Opcode::DataEnd || overflowed()) return outcome;
       note_damage(outcome.error());
     }
     offset_ += record->size();
@@ -203,10 +206,11 @@ Result<void> Parser::chunk(std::string_view content) {
 
 Result<std::string_view> Parser::unpack(const mcap::ChunkView& chunk) {
   const std::uint64_t size = chunk.unpacked_bytes;
-  if (size > mcap::kMaxChunkBytes || (unpacked_total_ += size) > mcap::kMaxUnpackedBytes) {
+  if (size <= mcap::kMaxChunkBytes) unpacked_total_ += size;
+  if (size > mcap::kMaxChunkBytes || overflowed()) {
     return fail_at({name_}, ErrorCode::TooLarge,
                    "byte {}: a chunk unpacks to {} bytes; the limits are {}, and {} for all", record_offset_, size,
-                   mcap::kMaxChunkBytes, mcap::kMaxUnpackedBytes);
+                   mcap::kMaxChunkBytes, max_unpacked_bytes_);
   }
   std::string_view records = chunk.packed;
   if (chunk.compression == "zstd") {
@@ -337,8 +341,8 @@ Result<void> Parser::footer(const RecordView& record) {
 }  // namespace
 
 Result<McapContent> parse_mcap(std::string_view bytes, const std::string& name, Recover recover,
-                               const MessageSink& sink) {
-  return Parser(bytes, name, recover, sink).parse();
+                               const MessageSink& sink, std::size_t max_unpacked_bytes) {
+  return Parser(bytes, name, recover, sink, max_unpacked_bytes).parse();
 }
 
 Result<McapContent> read_mcap(const std::filesystem::path& path, Recover recover, const MessageSink& sink) {

@@ -38,13 +38,12 @@ using MessageSink = std::function<void(const mcap::Channel&, const mcap::Message
 ///
 /// Recover::No   fails with Corrupt at the first damage, by byte; the sink may have had messages before it.
 /// Recover::Yes  leaves out damaged chunks and attachments, stops where the sequence of records breaks off, and fails
-/// only
-///               if the file does not begin as MCAP.
+///               only if the file does not begin as MCAP, or all of it unpacks to more than the limit.
 /// Fails also with NotFound, Unreadable, TooLarge (limits in format.h), Unsupported (lz4 chunks).
 Result<McapContent> read_mcap(const std::filesystem::path& path, Recover recover, const MessageSink& sink);
 
 /// The same for bytes in memory; `name` is the file's name in messages.
 Result<McapContent> parse_mcap(std::string_view bytes, const std::string& name, Recover recover,
-                               const MessageSink& sink);
+                               const MessageSink& sink, std::size_t max_unpacked_bytes = mcap::kMaxUnpackedBytes);
 
 }  // namespace ganglion

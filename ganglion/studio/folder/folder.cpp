@@ -94,6 +94,10 @@ Result<std::string> Folder::text_of(const fs::path& path, std::size_t max_bytes)
   return read_beneath(root_, *place, max_bytes);
 }
 
+Result<std::string> Folder::bytes_of(const fs::path& path, std::size_t max_bytes) const {
+  return text_of(real_of(path), max_bytes);
+}
+
 Result<void> Folder::put(const fs::path& path, std::string_view text) const {
   const auto place = seat(path);
   if (!place) return fail(ErrorCode::NotFound, "there is no such file");

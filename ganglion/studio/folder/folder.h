@@ -56,6 +56,9 @@ class Folder {
   /// The text of a path below that is no link itself, whatever links are put in its way meanwhile. Fails with NotFound,
   /// Unreadable or TooLarge.
   Result<std::string> text_of(const std::filesystem::path& path, std::size_t max_bytes) const;
+  /// The bytes a path below leads to, where it is a link or none. The link is followed as it is now, and no other that
+  /// is put in the way meanwhile. Fails as text_of() does.
+  Result<std::string> bytes_of(const std::filesystem::path& path, std::size_t max_bytes) const;
   /// Writes a path below, by renaming; no link leads the text out. Fails with NotFound or Unwritable.
   Result<void> put(const std::filesystem::path& path, std::string_view text) const;
 

@@ -13,6 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostFiles = 20'000;
+constexpr std::size_t kMostText = std::size_t{4} << 20;
 constexpr int kDeepest = 8;
 
 std::string text_of(const config::Value& root, std::string_view key) {
@@ -59,12 +60,14 @@ std::int64_t seconds_of(fs::file_time_type time) {
 Json Listing::read(const fs::path& file, const std::string& name, std::string& list) const {
   std::error_code error;
   if (file.extension() == ".mcap") {
-    const auto run = RunFile::read_summary(file, Recover::Yes);
+    const auto bytes = folder_.bytes_of(file, kMostRunBytes);
+    const auto run = bytes ? RunFile::parse_summary(*bytes, name, Recover::Yes) : tl::unexpected<Error>(bytes.error());
     if (!run) return {};
     list = "runs";
     return run_json(summary_of(*run, name, seconds_of(fs::last_write_time(file, error))));
   }
-  const auto root = config::load(file);
+  const auto text = folder_.bytes_of(file, kMostText);
+  const auto root = text ? config::parse(*text, file.string()) : tl::unexpected<Error>(text.error());
   if (!root) {  // a broken drawing is listed all the same: that is where it can be mended
     list = file.filename().string().starts_with("controller") ? "controllers" : "";
     return {{"path", name}, {"name", ""}, {"draft", folder_.has_draft(file)}};

@@ -10,6 +10,9 @@ namespace ganglion::studio {
 
 using Json = nlohmann::ordered_json;
 
+/// Of a recording that is shown, as it lies there and unpacked: what holds more is told to be too large.
+inline constexpr std::size_t kMostRunBytes = std::size_t{512} << 20;
+
 /// What a folder holds for the studio: controllers, experiments, worlds, robots, recorded runs. Remembers what it read
 /// of files that have not changed since.
 class Listing {

@@ -37,12 +37,16 @@ std::optional<RunEvent> event_of(std::string_view topic, std::string_view schema
   content["time_s"] = time_s;
   if (goal) content["robot"] = robot_of(topic);
   const std::string name = goal ? "goal" : intervention ? "intervention" : "log";
-  if (name == "log") content["message_es"] = worded(content.value("message", ""), Language::Spanish);
+  if (name == "log") {
+    const auto said = content.find("message");
+    const bool text = said != content.end() && said->is_string();
+    content["message_es"] = text ? worded(said->get<std::string>(), Language::Spanish) : std::string();
+  }
   return RunEvent{name, std::move(content)};
 }
 
 Json parsed(std::string_view text) {
-  if (!json_nests_within(text, kDeepestJson)) return {};
+  if (!json_nests_within(text, kDeepestJson) || !json_has_few_keys(text)) return {};
   Json json = Json::parse(text, nullptr, false);
   return json.is_discarded() ? Json() : json;
 }

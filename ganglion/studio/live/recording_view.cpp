@@ -20,12 +20,19 @@ Json latest_of(const RunFile& file, std::string_view topic) {
                                                                      : Json();
 }
 
+/// Read as JSON a text takes many times its size: of a file that holds nothing but events no more than these.
+constexpr std::size_t kMostEvents = 100'000;
+constexpr std::size_t kMostEventBytes = std::size_t{16} << 20;
+
 Json events_of(const RunFile& file) {
   std::vector<std::pair<double, Json>> events;
+  std::size_t bytes = 0;
   for (const auto& [topic, messages] : file.json) {
     for (const JsonMessage& message : messages.messages) {
       auto event = event_of(topic, messages.schema_name, message.time_s, message.text);
       if (!event) continue;
+      bytes += message.text.size();
+      if (events.size() >= kMostEvents || bytes > kMostEventBytes) break;
       event->content["event"] = event->name;
       events.emplace_back(message.time_s, std::move(event->content));
     }

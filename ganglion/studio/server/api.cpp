@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "ganglion/base/file.h"
+#include "ganglion/base/json_depth.h"
 #include "ganglion/descriptor/kinds_json.h"
 #include "ganglion/kinds/kinds.h"
 #include "ganglion/studio/document/wording.h"
@@ -53,6 +54,7 @@ Reply Api::handle(const Call& call) {
   if (call.method != method && !reads) return failure("BadRequest", fmt::format("this path takes {}", method), 405);
   Ask ask{call, Json::object()};
   if (method == "POST") {
+    if (!json_has_few_keys(call.body)) return failure("TooLarge", "an object of the body has too many keys", 413);
     ask.body = call.body.empty() ? Json::object() : parsed(call.body);
     if (!ask.body.is_object()) return ask.refuse("BadRequest", "the body must be a JSON object", 400);
   }

@@ -101,6 +101,7 @@ class Api {
   Reply recording_samples(const Ask&);
   Reply recording_report(const Ask&);
   Reply recording_controller(const Ask&);
+  Result<RunFile> recording_of(const std::string& name) const;
   Result<std::shared_ptr<const RecordingView>> view_of(const std::string& name);
 
   Folder folder_;

@@ -1,13 +1,22 @@
 #include <filesystem>
 #include <limits>
 
-#include "ganglion/base/file.h"
 #include "ganglion/plot/from_run_file.h"
 #include "ganglion/report/report.h"
 #include "ganglion/studio/server/api.h"
 #include "ganglion/studio/server/guard.h"
 
 namespace ganglion::studio {
+
+/// Through no link that is put in the way, and with bounds: one file must not take the memory of all who are served.
+Result<RunFile> Api::recording_of(const std::string& name) const {
+  const auto path = folder_.resolve(name);
+  if (!path) return tl::unexpected<Error>(path.error());
+  const auto bytes = folder_.bytes_of(*path, kMostRunBytes);
+  auto file = bytes ? RunFile::parse(*bytes, name, Recover::Yes, kMostRunBytes) : tl::unexpected<Error>(bytes.error());
+  if (!file) return fail(file.error().code, "\"{}\" {}", name, file.error().message);
+  return file;
+}
 
 /// The run, read whole; the last one stays in memory, for people scrub through it.
 Result<std::shared_ptr<const RecordingView>> Api::view_of(const std::string& name) {
@@ -16,8 +25,8 @@ Result<std::shared_ptr<const RecordingView>> Api::view_of(const std::string& nam
   std::error_code error;
   const auto changed = std::filesystem::last_write_time(*path, error);
   if (view_ != nullptr && viewed_ == name && viewed_changed_ == changed) return view_;
-  auto file = RunFile::read(*path, Recover::Yes);
-  if (!file) return fail(file.error().code, "\"{}\" {}", name, file.error().message);
+  auto file = recording_of(name);
+  if (!file) return tl::unexpected<Error>(file.error());
   view_ = std::make_shared<const RecordingView>(std::move(*file));
   viewed_ = name;
   viewed_changed_ = changed;
@@ -45,9 +54,7 @@ Reply Api::recording_samples(const Ask& ask) {
 
 Reply Api::recording_report(const Ask& ask) {
   const std::string name = query_value(ask.call.target, "path").value_or("");
-  const auto path = folder_.resolve(name);
-  if (!path) return failure(path.error(), ask.language);
-  const auto file = RunFile::read(*path, Recover::Yes);
+  const auto file = recording_of(name);
   if (!file) return failure(file.error(), ask.language);
   const bool spanish = query_value(ask.call.target, "language") == "es";
   const auto page =
