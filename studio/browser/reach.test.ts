@@ -64,10 +64,11 @@ async function settled(of: Page): Promise<Box> {
 async function onScreen(of: Page, x_m: number, y_m: number): Promise<[number, number]> {
   const box = await settled(of);
   const { width_m, height_m, margin } = kWorld;
-  const scale = Math.min((box.width - 2 * margin) / width_m, (box.height - 2 * margin) / height_m);
+  const below = margin + Math.min(40, box.height / 8); // for the buttons
+  const scale = Math.min((box.width - 2 * margin) / width_m, (box.height - margin - below) / height_m);
   return [
     box.x + box.width / 2 + (x_m - width_m / 2) * scale,
-    box.y + box.height / 2 - (y_m - height_m / 2) * scale,
+    box.y + (box.height + margin - below) / 2 - (y_m - height_m / 2) * scale,
   ];
 }
 

@@ -41,6 +41,7 @@ test('the tour leads a newcomer from nothing to figure 6, and to a run that reac
   await page.locator('.run-bar select').selectOption('0');
   await tour.getByRole('button', { name: 'Run', exact: true }).click();
   await page.locator('.outcome').getByText('did its task').waitFor({ timeout: 40_000 });
+  await tour.getByText('this is figure 6').waitFor();
   // The world stands beside the drawing now, which was made to fit.
   await expect.poll(() => page.locator('.box').evaluateAll(outOfSight)).toEqual([]);
   await shot(page, 'toured');

@@ -32,7 +32,7 @@ std::string list_of(const config::Value& root) {
   for (const char* key : {"wall", "box", "disc", "polygon", "mover", "map", "spawn"}) {
     if (has(key)) return "worlds";
   }
-  return "";
+  return has("robot") ? "controllers" : "";  // one that was only begun
 }
 
 Json run_json(const RunSummary& run) {

@@ -35,6 +35,22 @@ Json final_state(Watcher& watcher) {
   return {};
 }
 
+TEST_F(Studio, ListsAControllerThatWasOnlyBegun) {
+  const Client client = client_of();
+  const Json begun = {{"path", "mine.toml"}, {"text", "format = 1\nname = \"Mine\"\nrobot = \"robot.toml\"\n"}};
+  Json saved = begun, draft = begun;
+  saved["based_on"] = "";
+  const Answer answer = client.post("/api/file/save", saved);
+  ASSERT_EQ(answer.status, 200u) << answer.body;
+  draft["based_on"] = answer.json()["hash"];
+  ASSERT_EQ(client.post("/api/file/autosave", draft).status, 200u);
+  const Json controllers = client.get("/api/files").json()["controllers"];
+  const auto mine =
+      std::find_if(controllers.begin(), controllers.end(), [](const Json& one) { return one["path"] == "mine.toml"; });
+  ASSERT_NE(mine, controllers.end());
+  EXPECT_EQ((*mine)["draft"], true);
+}
+
 TEST_F(Studio, ListsWhatTheFolderHolds) {
   const Json files = client_of().get("/api/files").json();
   EXPECT_EQ(files["controllers"].size(), 3u);

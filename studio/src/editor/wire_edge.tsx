@@ -1,7 +1,8 @@
 import { BaseEdge, EdgeLabelRenderer, type EdgeProps, getBezierPath } from '@xyflow/react';
 import { memo, useCallback } from 'react';
+import { useDocument } from '../document/document';
 import { watchValue } from '../run/live_values';
-import { useRun } from '../run/run';
+import { isOfDrawing, useRun } from '../run/run';
 import type { WireEdge } from './graph';
 import { showSparkline } from './sparkline';
 
@@ -33,7 +34,8 @@ function Value({ x, y, data }: { x: number; y: number; data: NonNullable<WireEdg
 
 function Wire(props: EdgeProps<WireEdge>) {
   const { data, sourceX, sourceY, targetX, targetY, sourcePosition, targetPosition, selected } = props;
-  const live = useRun((state) => state.showing);
+  const file = useDocument((state) => state.path);
+  const live = useRun((state) => state.showing && isOfDrawing(state, file));
   const [path] = getBezierPath({ sourceX, sourceY, targetX, targetY, sourcePosition, targetPosition });
   if (!data) return null;
   const look = `wire role-${data.role} ${data.wire.previous ? 'previous' : ''} ${data.wire.ok ? '' : 'bad'}`;

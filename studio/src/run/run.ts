@@ -91,6 +91,19 @@ function welcome(hello: Hello): void {
 }
 
 /** Why a run ended, in the language of now. */
+/** Whether the run's values belong to what is drawn. A run of the command line names no drawing of this folder. */
+export function isOfDrawing({ state, recording }: Run, path: string): boolean {
+  return recording !== null || !state?.controller || state.attached || state.controller === path;
+}
+
+/** Its task, or that somebody ended it before there could be a verdict. */
+export function verdict(outcome: Outcome): { words: string; tone: 'good' | 'bad' | '' } {
+  const words = text().run;
+  if (outcome.success) return { words: words.success, tone: 'good' };
+  if (outcome.reason.startsWith('interrupted')) return { words: words.interrupted, tone: '' };
+  return { words: words.failure, tone: 'bad' };
+}
+
 export function outcomeWords(outcome: Outcome): string {
   const spanish = useSettings.getState().language === 'es';
   return spanish
@@ -101,9 +114,8 @@ export function outcomeWords(outcome: Outcome): string {
 function sayOutcome(before: RunState | null, state: RunState): void {
   if (state.state !== 'done' || before?.state === 'done' || !state.outcome) return;
   const { outcome } = state;
-  const words = text().run;
   toast(
-    outcome.success ? words.success : words.failure,
+    verdict(outcome).words,
     [outcomeWords(outcome)].filter(Boolean),
     outcome.error ? 'bad' : 'note',
   );

@@ -4,7 +4,7 @@ import { current, useDocument, useModel } from '../document/document';
 import { useText } from '../text/text';
 import { Icon } from '../ui/icons';
 import { complain, show } from '../ui/workbench';
-import { configure, openRecording, outcomeWords, useRun } from './run';
+import { configure, isOfDrawing, openRecording, outcomeWords, useRun, verdict } from './run';
 
 const kPaces = [0.5, 1, 2, 5, 10, 50, 0];
 
@@ -68,11 +68,14 @@ function Now() {
 export function Outcome() {
   const text = useText();
   const state = useRun((run) => run.state);
+  const path = useDocument((document) => document.path);
+  const mine = useRun((run) => isOfDrawing(run, path));
   const outcome = state?.state === 'done' ? state.outcome : null;
-  if (!outcome) return null;
+  if (!outcome || !mine) return null;
+  const { words, tone } = verdict(outcome);
   return (
-    <div className={`outcome ${outcome.success ? 'good' : 'bad'}`} role="status">
-      {outcome.success ? text.run.success : text.run.failure} <small>{outcomeWords(outcome)}</small>
+    <div className={`outcome ${tone}`} role="status">
+      {words} <small>{outcomeWords(outcome)}</small>
       {outcome.file && (
         <>
           <a href={api.reportUrl(outcome.file)} target="_blank" rel="noreferrer">

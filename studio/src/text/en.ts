@@ -236,6 +236,7 @@ export const en = {
     goal_reached: 'goal reached',
     success: 'The robot did its task.',
     failure: 'The robot failed its task.',
+    interrupted: 'The run was stopped.',
     reason: 'Reason',
     report: 'Open the report',
     replay: 'Look at it again',
@@ -372,6 +373,7 @@ export const en = {
     show: 'Do it for me',
     progress: (at: number, of: number) => `Step ${at} of ${of}:`,
     finish: 'End the tour',
+    ended: 'The goal is reached: this is figure 6. Save it, change it, run it with another seed, or look at the report.',
     steps: {
       file: 'Start a new controller for the pathfinder robot (File, New controller).',
       sensations: 'Add the sensations: the goal, its direction, the position, the heading and the contact.',

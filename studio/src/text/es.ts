@@ -237,6 +237,7 @@ export const es: Dictionary = {
     goal_reached: 'objetivo alcanzado',
     success: 'El robot cumplió su tarea.',
     failure: 'El robot no cumplió su tarea.',
+    interrupted: 'La ejecución se detuvo.',
     reason: 'Motivo',
     report: 'Abrir el informe',
     replay: 'Verla otra vez',
@@ -381,6 +382,7 @@ export const es: Dictionary = {
     show: 'Hágalo por mí',
     progress: (at: number, of: number) => `Paso ${at} de ${of}:`,
     finish: 'Terminar la guía',
+    ended: 'Objetivo alcanzado: esta es la figura 6. Guárdela, cámbiela, ejecútela con otra semilla o vea el informe.',
     steps: {
       file: 'Empiece un controlador nuevo para el robot del buscador de rutas (Archivo, Nuevo controlador).',
       sensations: 'Añada las sensaciones: el objetivo, su dirección, la posición, el rumbo y el contacto.',

@@ -2,6 +2,7 @@ import { useEffect } from 'react';
 import { carryOut, commandOf } from '../commands/commands';
 import { edit, useModel } from '../document/document';
 import { fit } from '../editor/canvas_handle';
+import { useRun } from '../run/run';
 import { useText } from '../text/text';
 import { Icon } from '../ui/icons';
 import { complain, say, useWorkbench } from '../ui/workbench';
@@ -14,6 +15,9 @@ export function Tour() {
   const at = useWorkbench((state) => state.tour) ?? 0;
   const step = kTour[at];
   const done = model ? step.done(model) : false;
+  const ended = useRun(
+    (run) => step.name === 'run' && run.state?.state === 'done' && run.state.outcome?.success === true,
+  );
   useEffect(() => {
     if (done && at + 1 < kTour.length) useWorkbench.setState({ tour: at + 1 });
   }, [done, at]);
@@ -33,13 +37,23 @@ export function Tour() {
         </button>
       </div>
       {at === 0 && <p className="hint">{text.tour.intro}</p>}
-      <progress max={kTour.length} value={at} aria-hidden />
-      <p aria-current="step">
-        <span className="hint">{text.tour.progress(at + 1, kTour.length)}</span> <b>{text.tour.steps[step.name]}</b>
-      </p>
-      <button type="button" className="primary" onClick={show}>
-        {step.name === 'run' ? text.commands.run : step.name === 'file' ? text.commands.new : text.tour.show}
-      </button>
+      <progress max={kTour.length} value={ended ? kTour.length : at} aria-hidden />
+      {ended ? (
+        <p className="good">{text.tour.ended}</p>
+      ) : (
+        <p aria-current="step">
+          <span className="hint">{text.tour.progress(at + 1, kTour.length)}</span> <b>{text.tour.steps[step.name]}</b>
+        </p>
+      )}
+      {ended ? (
+        <button type="button" className="primary" onClick={close}>
+          {text.tour.finish}
+        </button>
+      ) : (
+        <button type="button" className="primary" onClick={show}>
+          {step.name === 'run' ? text.commands.run : step.name === 'file' ? text.commands.new : text.tour.show}
+        </button>
+      )}
     </section>
   );
 }

@@ -37,10 +37,11 @@ export class View {
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.clearRect(0, 0, this.width, this.height);
     const margin = 16;
+    const below = margin + Math.min(40, this.height / 8); // the buttons lie there
     const [x0, y0, x1, y1] = this.bounds;
-    const fit = Math.min((this.width - 2 * margin) / (x1 - x0 || 1), (this.height - 2 * margin) / (y1 - y0 || 1));
+    const fit = Math.min((this.width - 2 * margin) / (x1 - x0 || 1), (this.height - margin - below) / (y1 - y0 || 1));
     this.scale = Math.max(1e-3, fit) * this.zoom;
-    this.middle = [this.width / 2, this.height / 2];
+    this.middle = [this.width / 2, (this.height + margin - below) / 2];
     return true;
   }
 
