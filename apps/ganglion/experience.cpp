@@ -43,10 +43,10 @@ int forget(const std::string& file, const std::string& component) {
 }  // namespace
 
 void add_experience(CLI::App& program, int& code) {
-  struct Arguments {
+  struct ExperienceArguments {
     std::string file, component;
   };
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ExperienceArguments>();
   CLI::App* command = program.add_subcommand("experience", "What controllers have learned and kept");
   command->require_subcommand(1);
   CLI::App* shown = command->add_subcommand("show", "List what a file remembers");

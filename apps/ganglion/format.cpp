@@ -29,11 +29,11 @@ int format_file(const std::string& file, bool check) {
 }  // namespace
 
 void add_format(CLI::App& program, int& code) {
-  struct Arguments {
+  struct FormatArguments {
     std::vector<std::string> files;
     bool check = false;
   };
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<FormatArguments>();
   CLI::App* command = program.add_subcommand("format", "Bring files into the common layout; comments are kept");
   command->add_option("files", arguments->files, "TOML files")->required();
   command->add_flag("--check", arguments->check, "Change nothing; exit 1 where something would change");

@@ -27,11 +27,11 @@ std::vector<const Descriptor*> matching(const std::string& name) {
 }  // namespace
 
 void add_kinds(CLI::App& program, int& code) {
-  struct Arguments {
+  struct KindsArguments {
     std::string kind, language = "en";
     bool json = false;
   };
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<KindsArguments>();
   CLI::App* command = program.add_subcommand("kinds", "The kinds of component: all of them, or the page of one");
   command->add_option("kind", arguments->kind, "Name or the paper's name, e.g. DynamicMapRouter or AmDmr");
   command->add_option("--language", arguments->language, "en or es")->check(CLI::IsMember({"en", "es"}));

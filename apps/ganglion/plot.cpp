@@ -7,10 +7,10 @@
 namespace ganglion {
 
 void add_plot(CLI::App& program, int& code) {
-  struct Arguments {
+  struct PlotArguments {
     std::string file, out, language = "en";
   };
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<PlotArguments>();
   CLI::App* command = program.add_subcommand("plot", "Draw the pictures and the report of a recorded run");
   command->add_option("file", arguments->file, "Run file (.mcap)")->required();
   command->add_option("--out", arguments->out, "Folder to write to")->required();

@@ -38,10 +38,10 @@ int replay_csv(const std::string& controller, const std::string& inputs, const s
 }  // namespace
 
 void add_replay(CLI::App& program, int& code) {
-  struct Arguments {
+  struct ReplayArguments {
     std::string file, inputs, out;
   };
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ReplayArguments>();
   CLI::App* command =
       program.add_subcommand("replay", "Repeat a recorded run and compare, or feed a controller from a table");
   command->add_option("file", arguments->file, "A run file (.mcap), or a controller.toml")->required();

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct RunsArguments {
   std::string folder = "runs";
   std::string file, out, sort = "recorded", name;
   std::string language = "en";
@@ -25,7 +25,7 @@ struct Arguments {
 };
 
 /// The runs of a folder, read anew from the files: the catalogue is only an index.
-Result<std::vector<RunSummary>> runs_of(const Arguments& arguments) {
+Result<std::vector<RunSummary>> runs_of(const RunsArguments& arguments) {
   if (!fs::is_directory(arguments.folder)) {
     return fail_at({arguments.folder}, ErrorCode::NotFound,
                    "there is no such folder; runs are written by ganglion run");
@@ -43,7 +43,7 @@ Result<std::vector<RunSummary>> runs_of(const Arguments& arguments) {
   return catalogue->list(filter);
 }
 
-int list(const Arguments& arguments) {
+int list(const RunsArguments& arguments) {
   const auto runs = runs_of(arguments);
   if (!runs) return complain(runs.error());
   fmt::print("{:<36}{:<26}{:>6}  {:<9}{:<18}{}\n", "file", "experiment", "seed", "outcome", "digest", "reason");
@@ -57,7 +57,7 @@ int list(const Arguments& arguments) {
   return kDone;
 }
 
-int csv(const Arguments& arguments) {
+int csv(const RunsArguments& arguments) {
   const auto runs = runs_of(arguments);
   if (!runs) return complain(runs.error());
   const std::string text = to_csv(*runs);
@@ -70,7 +70,7 @@ int csv(const Arguments& arguments) {
   return kDone;
 }
 
-int show(const Arguments& arguments) {
+int show(const RunsArguments& arguments) {
   const auto run = RunFile::read(arguments.file, Recover::Yes);
   if (!run) return complain(run.error());
   fmt::print("{}, seed {}, tick {} s\n", run->info.name, run->info.seed, shortest(run->info.tick_s));
@@ -91,7 +91,7 @@ int show(const Arguments& arguments) {
   return kDone;
 }
 
-int signals(const Arguments& arguments) {
+int signals(const RunsArguments& arguments) {
   const auto run = RunFile::read(arguments.file, Recover::Yes);
   if (!run) return complain(run.error());
   for (const SignalTable& table : run->tables) {
@@ -104,7 +104,7 @@ int signals(const Arguments& arguments) {
   return kDone;
 }
 
-int verify(const Arguments& arguments) {
+int verify(const RunsArguments& arguments) {
   int worst = kDone;
   for (const std::string& file : arguments.files) {
     const auto run = RunFile::read(file);  // every checksum
@@ -118,7 +118,7 @@ int verify(const Arguments& arguments) {
   return worst;
 }
 
-int recover(const Arguments& arguments) {
+int recover(const RunsArguments& arguments) {
   const auto saved = recover_run(arguments.file, arguments.out);
   if (!saved) return complain(saved.error());
   for (const std::string& damage : saved->damages) fmt::print("damaged: {}\n", damage);
@@ -128,7 +128,7 @@ int recover(const Arguments& arguments) {
 }
 
 /// Whether what two runs have in common went the same way in both.
-int digests(const Arguments& arguments) {
+int digests(const RunsArguments& arguments) {
   std::vector<RunOutcome> outcomes;
   for (const std::string& file : arguments.files) {
     auto run = RunFile::read_summary(file);
@@ -150,7 +150,7 @@ int digests(const Arguments& arguments) {
 }
 
 /// The page, and what it says first: how many runs of each batch succeeded.
-int compare(const Arguments& arguments) {
+int compare(const RunsArguments& arguments) {
   Problems problems;
   std::vector<report::NamedBatch> batches;
   for (const std::string& file : arguments.files) {
@@ -177,7 +177,7 @@ int compare(const Arguments& arguments) {
   return kDone;
 }
 
-void add_compare(CLI::App& command, const std::shared_ptr<Arguments>& arguments, int& code) {
+void add_compare(CLI::App& command, const std::shared_ptr<RunsArguments>& arguments, int& code) {
   CLI::App* compared = command.add_subcommand("compare", "Set batches of runs side by side on one page");
   compared->add_option("batches", arguments->files, "[NAME=]RESULTS.json of run --json, or [NAME=]FOLDER of run files")
       ->required();
@@ -195,7 +195,7 @@ void add_compare(CLI::App& command, const std::shared_ptr<Arguments>& arguments,
 }  // namespace
 
 void add_runs(CLI::App& program, int& code) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<RunsArguments>();
   CLI::App* command = program.add_subcommand("runs", "Recorded runs: list, show, export, verify, recover, compare");
   command->require_subcommand(1);
   CLI::App* listed = command->add_subcommand("list", "List the runs below a folder");

@@ -36,10 +36,10 @@ int give(const std::string& schema, const std::string& file) {
 }  // namespace
 
 void add_schema(CLI::App& program, int& code) {
-  struct Arguments {
+  struct SchemaArguments {
     std::string type, file;
   };
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<SchemaArguments>();
   CLI::App* command =
       program.add_subcommand("schema", "JSON Schema of a type of file, for editors that complete and check");
   std::vector<std::string> types;

@@ -18,7 +18,7 @@ extern char** environ;
 namespace ganglion {
 namespace {
 
-struct Arguments {
+struct StudioArguments {
   std::string folder = ".";
   std::string listen = "127.0.0.1";
   std::vector<std::string> allow_hosts;
@@ -46,7 +46,7 @@ Result<void> read_listen(const std::string& text, studio::ServerOptions& options
   return {};
 }
 
-int serve(const Arguments& arguments) {
+int serve(const StudioArguments& arguments) {
   studio::ServerOptions options;
   options.folder = arguments.folder;
   options.allow_hosts = arguments.allow_hosts;
@@ -81,7 +81,7 @@ void announce_studio(const studio::Server& server, bool browser) {
 }
 
 void add_studio(CLI::App& program, int& code) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<StudioArguments>();
   CLI::App* command = program.add_subcommand("studio", "Draw, run, watch and replay in a browser");
   command->add_option("folder", arguments->folder, "What the studio may read and write; default: this folder");
   command->add_option("--listen", arguments->listen, "ADDRESS:PORT; default: 127.0.0.1 and any free port");

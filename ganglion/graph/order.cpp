@@ -12,7 +12,7 @@ namespace {
 using Edges = std::vector<std::vector<int>>;
 
 /// For each component those that must run before it.
-Edges edges_of(const ControllerModel& model) {
+Edges predecessors_of(const ControllerModel& model) {
   Edges before(model.components.size());
   for (std::size_t i = 0; i < model.components.size(); ++i) {
     const ComponentModel& component = model.components[i];
@@ -73,7 +73,11 @@ void report_cycle(const ControllerModel& model, const std::vector<int>& path, Pr
 class Sorter {
  public:
   Sorter(const ControllerModel& model, Problems& problems)
-      : model_(model), problems_(problems), before_(edges_of(model)), after_(before_.size()), done_(before_.size()) {
+      : model_(model),
+        problems_(problems),
+        before_(predecessors_of(model)),
+        after_(before_.size()),
+        done_(before_.size()) {
     for (std::size_t i = 0; i < before_.size(); ++i) {
       waits_for_.push_back(before_[i].size());
       for (const int previous : before_[i]) after_[static_cast<std::size_t>(previous)].push_back(static_cast<int>(i));

@@ -10,9 +10,7 @@
 namespace ganglion::link {
 namespace {
 
-constexpr double kRetry_s = 0.1;
 constexpr int kBeats = 10;
-constexpr std::size_t kRoomBytes = std::size_t{64} << 10;
 constexpr double kSlow_s = 0.1;
 
 using Say = std::function<void(bool good, const std::string& finding)>;

@@ -27,4 +27,9 @@ class Line {
   virtual void wait_until(double until_s) = 0;
 };
 
+/// The pause between two tries to connect.
+inline constexpr double kRetry_s = 0.1;
+/// Room for what a robot sends at once.
+inline constexpr std::size_t kRoomBytes = std::size_t{64} << 10;
+
 }  // namespace ganglion::link

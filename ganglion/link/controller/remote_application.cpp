@@ -8,9 +8,7 @@
 namespace ganglion::link {
 namespace {
 
-constexpr double kRetry_s = 0.1;
 constexpr double kStuck_s = 3;  // the other side takes nothing
-constexpr std::size_t kRoomBytes = std::size_t{64} << 10;
 
 }  // namespace
 

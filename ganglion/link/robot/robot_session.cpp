@@ -8,7 +8,7 @@
 namespace ganglion::link {
 namespace {
 
-constexpr double kInf = std::numeric_limits<double>::infinity();
+constexpr double kNoLimit_s = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -150,7 +150,7 @@ void RobotEnd::act(Peer& peer, double now_s) {
   const bool lock_step = session_->pace == wire::LOCK_STEP;
   if (lock_step && !due(in_.act.tick(), step_s, peer)) return;
   if (!lock_step && session_->acted && in_.act.tick() <= *session_->acted) return;
-  if (auto taken = robot_.take(in_.act, lock_step ? kInf : config_.max_ttl_s); !taken) {
+  if (auto taken = robot_.take(in_.act, lock_step ? kNoLimit_s : config_.max_ttl_s); !taken) {
     return refuse(peer, wire::BROKEN, taken.error().message);
   }
   session_->acted = in_.act.tick();

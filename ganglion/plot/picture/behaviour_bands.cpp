@@ -8,7 +8,6 @@
 namespace ganglion::plot {
 namespace {
 
-constexpr double kWidth_px = 960;
 constexpr double kNames_px = 170;
 constexpr double kBand_px = 30;
 constexpr double kHead_px = 30;  // name of a coordinator above its bands
@@ -59,10 +58,10 @@ double height_of(const Coordination& coordination) noexcept {
 
 void draw_coordination(Canvas& canvas, const Coordination& coordination, double top, double duration_s,
                        const Words& said) {
-  canvas.text({16, top + 18}, canvas.fitted(coordination.coordinator, kWidth_px - 40), Anchor::Start,
+  canvas.text({16, top + 18}, canvas.fitted(coordination.coordinator, kPictureWidth_px - 40), Anchor::Start,
               {.size_px = 13, .bold = true});
   const double length_s = std::max(duration_s, 1e-3);
-  Axes axes{{kNames_px, top + kHead_px}, {kWidth_px - kNames_px - 20, kBand_px - 6}, {0, 0}, {length_s, 1}};
+  Axes axes{{kNames_px, top + kHead_px}, {kPictureWidth_px - kNames_px - 20, kBand_px - 6}, {0, 0}, {length_s, 1}};
   for (std::size_t i = 0; i < std::min(coordination.candidates.size(), kMaxBands); ++i) {
     canvas.text({kNames_px - 10, axes.bottom() - 7}, canvas.fitted(coordination.candidates[i], kNames_px - 24),
                 Anchor::End);
@@ -73,7 +72,7 @@ void draw_coordination(Canvas& canvas, const Coordination& coordination, double 
   draw_time_axis(canvas, axes, with_unit(said.time, "s"));
 }
 
-void draw_legend(Canvas& canvas, Vector2 at, const Words& said) {
+void draw_drive_legend(Canvas& canvas, Vector2 at, const Words& said) {
   const Colour colour = Colour::hex(0x4b535d);
   const Vector2 size{26, 14};
   for (const WordOf word : {&Words::active, &Words::suppressed, &Words::quiet}) {
@@ -92,8 +91,8 @@ Picture bands_picture(const RobotView& robot, double duration_s, Language langua
   for (const Coordination& coordination : robot.coordinations) height_px += height_of(coordination);
   std::string title = fmt::format("{}: {}", std::string_view(said.behaviours), robot.name);
   auto draw = [&robot, &said, duration_s, title](Canvas& canvas) {
-    canvas.text({16, 26}, canvas.fitted(title, kWidth_px - 40), Anchor::Start, {.size_px = 15, .bold = true});
-    draw_legend(canvas, {16, 54}, said);
+    canvas.text({16, 26}, canvas.fitted(title, kPictureWidth_px - 40), Anchor::Start, {.size_px = 15, .bold = true});
+    draw_drive_legend(canvas, {16, 54}, said);
     double top = 70;
     for (const Coordination& coordination : robot.coordinations) {
       draw_coordination(canvas, coordination, top, duration_s, said);
@@ -103,7 +102,7 @@ Picture bands_picture(const RobotView& robot, double duration_s, Language langua
   return {file_stem("behaviours-" + robot.name),
           std::move(title),
           std::string(said.behaviours_about),
-          kWidth_px,
+          kPictureWidth_px,
           height_px,
           std::move(draw)};
 }

@@ -8,6 +8,9 @@
 
 namespace ganglion::plot {
 
+/// How wide pictures are; their heights follow from what they show.
+inline constexpr double kPictureWidth_px = 960;
+
 // Each picture keeps a pointer to the run, which must outlive it.
 
 /// The way of every robot over the ground: coloured by the behaviour that drove, or green arrows where no coordinator

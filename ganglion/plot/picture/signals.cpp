@@ -9,7 +9,6 @@
 namespace ganglion::plot {
 namespace {
 
-constexpr double kWidth_px = 960;
 constexpr double kPanelHeight_px = 62;
 constexpr double kPitch_px = 96;  // from one panel to the next below
 constexpr double kTop_px = 78;
@@ -155,7 +154,7 @@ void draw_signal(Canvas& canvas, Vector2 corner, double width_px, const SignalTa
               Anchor::Middle, {.colour = Colour::hex(0x4b535d), .size_px = 11});
 }
 
-void draw_legend(Canvas& canvas, Vector2 at, const Words& said) {
+void draw_gap_legend(Canvas& canvas, Vector2 at, const Words& said) {
   const TextStyle small{.size_px = 11};
   const auto write = [&](WordOf word, double sample_px) {
     canvas.text(at + Vector2{sample_px, 0}, said.*word, Anchor::Start, small);
@@ -176,9 +175,9 @@ Picture page(const RobotView& robot, double duration_s, std::size_t first, std::
   const std::string number = first == 0 ? "" : fmt::format(" {}", first / kMaxPanels + 1);
   std::string title = fmt::format("{}: {}{}", std::string_view(said.signals), robot.name, number);
   auto draw = [&robot, &said, duration_s, first, last, per_column, title](Canvas& canvas) {
-    canvas.text({16, 26}, canvas.fitted(title, kWidth_px - 40), Anchor::Start, {.size_px = 15, .bold = true});
-    draw_legend(canvas, {16, 52}, said);
-    const double width_px = (kWidth_px - 24) / 2;
+    canvas.text({16, 26}, canvas.fitted(title, kPictureWidth_px - 40), Anchor::Start, {.size_px = 15, .bold = true});
+    draw_gap_legend(canvas, {16, 52}, said);
+    const double width_px = (kPictureWidth_px - 24) / 2;
     const double length_s = std::max(duration_s, 1e-3);
     for (std::size_t i = first; i < last; ++i) {
       const std::size_t place = i - first;
@@ -194,7 +193,7 @@ Picture page(const RobotView& robot, double duration_s, std::size_t first, std::
   return {file_stem(fmt::format("signals-{}{}", robot.name, number)),
           std::move(title),
           std::string(said.signals_about),
-          kWidth_px,
+          kPictureWidth_px,
           height_px,
           std::move(draw)};
 }

@@ -10,7 +10,6 @@
 namespace ganglion::plot {
 namespace {
 
-constexpr double kWidth_px = 960;
 constexpr double kLegendWidth_px = 220;
 constexpr double kLeast_px = 0.4;  // nearer points of a path are left out
 constexpr double kMarkerEvery_px = 46;
@@ -210,7 +209,7 @@ Picture trajectory_picture(const RunView& run, Language language) {
   const Bounds bounds = bounds_of(run);
   const Vector2 margin = 0.03 * (bounds.upper - bounds.lower);
   const Vector2 corner{62, 44};
-  const Vector2 room{kWidth_px - corner.x - kLegendWidth_px - 40, 760};
+  const Vector2 room{kPictureWidth_px - corner.x - kLegendWidth_px - 40, 760};
   const Axes axes = equal_axes(bounds.lower - margin, bounds.upper + margin, corner, room);
   const Legend legend = make_legend(run, said);
   const double height_px = corner.y + std::max(axes.size_px.y, legend.height_px() + 50) + 48;

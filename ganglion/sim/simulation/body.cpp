@@ -7,9 +7,9 @@
 namespace ganglion::sim {
 namespace {
 
-constexpr double kTimeTolerance_s = 1e-9;  // pieces of a sub-step shorter than this are rounding
-constexpr double kClear_m = 1e-6;          // left over where nothing is met
-constexpr double kLookAhead_m = 0.5;       // beyond a step's way when the ground is looked at: for the next steps
+constexpr double kSliver_s = 1e-9;    // pieces of a sub-step shorter than this are rounding
+constexpr double kClear_m = 1e-6;     // left over where nothing is met
+constexpr double kLookAhead_m = 0.5;  // beyond a step's way when the ground is looked at: for the next steps
 constexpr double kRounding_m = 1e-12;
 constexpr double kGraze_mps = 1e-3;  // slower approaches are no contacts to count
 
@@ -65,7 +65,7 @@ void Body::lapse(double step_s) noexcept {
 
 double Body::steady_way_m(double step_s) const noexcept {
   // A battery changes the speed with every sub-step.
-  if (model_->battery.present() || ttl_s_ < step_s - kTimeTolerance_s) return std::numeric_limits<double>::infinity();
+  if (model_->battery.present() || ttl_s_ < step_s - kSliver_s) return std::numeric_limits<double>::infinity();
   return drive_->steady_mps() * step_s;
 }
 
@@ -103,8 +103,8 @@ void Body::advance_freely(double step_s) noexcept {
 
 void Body::intend(const Floor& floor, double elapsed_s, double step_s) noexcept {
   const double left_s = ttl_s_ - elapsed_s;
-  if (!lapsed_ && !(left_s > kTimeTolerance_s)) lapse(step_s);
-  if (lapsed_ || left_s >= step_s - kTimeTolerance_s) {
+  if (!lapsed_ && !(left_s > kSliver_s)) lapse(step_s);
+  if (lapsed_ || left_s >= step_s - kSliver_s) {
     intent_ = drive_->move(truth_.pose, step_s);
   } else {
     const Movement first = drive_->move(truth_.pose, left_s);

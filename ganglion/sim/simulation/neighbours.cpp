@@ -9,7 +9,7 @@ namespace {
 constexpr double kCell_m = 1;
 constexpr std::size_t kCellsPerDisc = 8;  // where the discs are spread wide, cells are larger
 
-constexpr double kRounding_m = 1e-9;
+constexpr double kListRounding_m = 1e-9;
 constexpr std::size_t kFew = 32;
 constexpr double kSkin_m = 0.3;              // lists serve until somebody has moved so far
 constexpr std::size_t kListedPerRobot = 64;  // on the average; where robots are denser there are no lists
@@ -104,7 +104,7 @@ void Neighbours::make_lists() noexcept {
 }
 
 bool Neighbours::tell(const Lists& lists, Vector2 place, double range_m, std::size_t robot) const noexcept {
-  const double slack_m = lists.reach_m - range_m - moved_m_ - kRounding_m;
+  const double slack_m = lists.reach_m - range_m - moved_m_ - kListRounding_m;
   return lists.made && slack_m >= 0 && (place - sorted_at_[robot]).squared() <= slack_m * slack_m;
 }
 
@@ -131,7 +131,7 @@ std::span<const std::uint32_t> Neighbours::listed(const Lists& lists, Vector2 pl
 std::span<const std::uint32_t> Neighbours::in_cells(Vector2 place, double range_m, std::size_t left_out) noexcept {
   found_.clear();
   if (discs_.size() < 2) return found_;
-  const double reach_m = range_m + moved_m_ + kRounding_m;
+  const double reach_m = range_m + moved_m_ + kListRounding_m;
   const int left = column_of(place.x - reach_m), right = column_of(place.x + reach_m);
   const int top = row_of(place.y + reach_m);
   for (int row = row_of(place.y - reach_m); row <= top; ++row) {

@@ -8,7 +8,7 @@
 namespace ganglion::sim {
 namespace {
 
-constexpr double kClear_m = 1e-6;  // left over between robots that meet nothing
+constexpr double kApart_m = 1e-6;  // left over between robots that meet nothing
 
 }  // namespace
 
@@ -163,7 +163,7 @@ bool Simulation::goes_freely(std::size_t robot, double longest_m, double step_s)
     const Vector2 there = bodies_[other].truth().pose.position;
     const double apart_m = 2 * radius_m + std::min(way_m_[other], radius_m);
     if ((there - here).length() > apart_m + way_m) continue;
-    if (!(bodies_[robot].nearest_m(there, way_m, step_s) > apart_m + kClear_m)) return false;
+    if (!(bodies_[robot].nearest_m(there, way_m, step_s) > apart_m + kApart_m)) return false;
   }
   return true;
 }
@@ -172,7 +172,7 @@ void Simulation::wake_standing_robots(double longest_m) noexcept {
   std::fill(is_busy_.begin(), is_busy_.end(), 0);
   for (const std::size_t i : busy_) is_busy_[i] = 1;
   const std::size_t moving = busy_.size();
-  const double reach_m = 2 * config_.model->radius_m + longest_m + kClear_m;
+  const double reach_m = 2 * config_.model->radius_m + longest_m + kApart_m;
   for (std::size_t n = 0; n < busy_.size(); ++n) {
     for (const std::uint32_t other : neighbours_.within(bodies_[busy_[n]].truth().pose.position, reach_m, busy_[n])) {
       if (is_busy_[other] != 0 || way_m_[other] > 0) continue;
@@ -209,7 +209,7 @@ void Simulation::move_free_robots(double step_s) noexcept {
 void Simulation::part(std::size_t robot) noexcept {
   Body& body = bodies_[robot];
   if (!body.leaning()) return;
-  const double touch_m = 2 * config_.model->radius_m + kClear_m;
+  const double touch_m = 2 * config_.model->radius_m + kApart_m;
   if (neighbours_.within(body.truth().pose.position, touch_m, robot).empty()) body.stand_alone();
 }
 

@@ -7,7 +7,7 @@
 namespace ganglion::sim {
 namespace {
 
-constexpr double kMaxCells = 4 << 20;
+constexpr double kMostFreeCells = 4 << 20;
 constexpr int kTries = 1000;
 
 int cells_along(double length_m, double cell_m) {
@@ -20,7 +20,7 @@ FreeSpace::FreeSpace(std::shared_ptr<const Ground> ground, double cell_m)
     : ground_(std::move(ground)), cell_m_(cell_m) {
   expects(ground_ != nullptr && cell_m > 0);
   const Box2& box = bounds();
-  while ((box.width_m() / cell_m_ + 1) * (box.height_m() / cell_m_ + 1) > kMaxCells) cell_m_ *= 2;
+  while ((box.width_m() / cell_m_ + 1) * (box.height_m() / cell_m_ + 1) > kMostFreeCells) cell_m_ *= 2;
   columns_ = cells_along(box.width_m(), cell_m_);
   rows_ = cells_along(box.height_m(), cell_m_);
 }

@@ -6,8 +6,8 @@
 namespace ganglion::sim {
 namespace {
 
-constexpr double kMargin_m = 1e-6;     // by which the lists are generous
-constexpr double kMaxCells = 1 << 18;  // larger cells are taken rather than more
+constexpr double kGenerosity_m = 1e-6;  // by which the lists are generous
+constexpr double kMostLists = 1 << 18;  // larger cells are taken rather than more
 constexpr double kHalfDiagonal = 0.7072;
 
 Box2 box_of(const SurfaceSet& set, std::size_t item) noexcept {
@@ -87,7 +87,7 @@ void NearSurfaces::lay_out(const SurfaceGrid& surfaces) {
     box.include(own.upper);
   }
   if (!(box.width_m() >= 0)) return;
-  cell_m_ = std::max({0.5, reach_m_ / 16, std::sqrt((box.width_m() + 1) * (box.height_m() + 1) / kMaxCells)});
+  cell_m_ = std::max({0.5, reach_m_ / 16, std::sqrt((box.width_m() + 1) * (box.height_m() + 1) / kMostLists)});
   const double around_m = 2 * (reach_m_ + spread_m_) + cell_m_;
   for (const Segment& segment : set.segments) {
     const Vector2 along = segment.to - segment.from;
@@ -109,7 +109,7 @@ Vector2 NearSurfaces::centre(std::size_t cell) const noexcept {
 
 template <class OnCell>
 void NearSurfaces::each_near_cell(const SurfaceSet& set, std::size_t item, OnCell on_cell) const {
-  const double around_m = reach_m_ + spread_m_ + cell_m_ * kHalfDiagonal + kMargin_m;
+  const double around_m = reach_m_ + spread_m_ + cell_m_ * kHalfDiagonal + kGenerosity_m;
   const Box2 box = box_of(set, item);
   auto index = [&](double from_m, int count) { return std::clamp(static_cast<int>(from_m / cell_m_), 0, count - 1); };
   const int left = index(box.lower.x - around_m - lower_.x, columns_);
@@ -128,7 +128,7 @@ void NearSurfaces::each_near_cell(const SurfaceSet& set, std::size_t item, OnCel
 bool NearSurfaces::averts(const SurfaceSet& set, std::uint32_t segment, const Box2& outline,
                           std::size_t cell) const noexcept {
   if (outline.lower.x > outline.upper.x) return false;
-  const double half_m = cell_m_ / 2 + spread_m_ + kMargin_m;
+  const double half_m = cell_m_ / 2 + spread_m_ + kGenerosity_m;
   const Vector2 middle = centre(cell);
   const bool off = middle.x + half_m < outline.lower.x || middle.x - half_m > outline.upper.x ||
                    middle.y + half_m < outline.lower.y || middle.y - half_m > outline.upper.y;

@@ -11,14 +11,6 @@
 namespace ganglion::sim {
 namespace {
 
-constexpr config::Range kCoordinate{-kMaxCoordinate_m, kMaxCoordinate_m};
-constexpr config::Range kSize{kMinSize_m, 2 * kMaxCoordinate_m};
-
-Vector2 read_position(config::Table& table) {
-  const double x = table.number("x_m", kCoordinate);
-  return {x, table.number("y_m", kCoordinate)};
-}
-
 double read_yaw(config::Table& table) { return Angle::from_deg(table.number("yaw_deg", 0, {-360, 360})).rad(); }
 
 Material read_material(config::Table& table, Material preset = Material::Rough) {
@@ -58,7 +50,7 @@ void read_boxes(config::Table& root, ItemIds& ids, GroundPlan& plan) {
   for (config::Table& table : root.tables("box")) {
     Shape box = read_shape(table, ids, ShapeKind::Box, plan);
     const Vector2 centre = read_position(table);
-    const double length_m = table.number("length_m", kSize), width_m = table.number("width_m", kSize);
+    const double length_m = table.number("length_m", kExtent), width_m = table.number("width_m", kExtent);
     box.points = rectangle(centre, length_m, width_m, read_yaw(table));
     plan.shapes.push_back(std::move(box));
   }
@@ -68,7 +60,7 @@ void read_discs(config::Table& root, ItemIds& ids, GroundPlan& plan) {
   for (config::Table& table : root.tables("disc")) {
     Shape disc = read_shape(table, ids, ShapeKind::Disc, plan);
     disc.disc.position = read_position(table);
-    disc.disc.radius_m = table.number("radius_m", kSize);
+    disc.disc.radius_m = table.number("radius_m", kExtent);
     plan.shapes.push_back(std::move(disc));
   }
 }
@@ -85,7 +77,7 @@ void read_polygons(config::Table& root, ItemIds& ids, GroundPlan& plan) {
 
 void read_mover_body(config::Table& table, MoverPlan& mover) {
   if (table.has("radius_m")) {
-    mover.radius_m = table.number("radius_m", kSize);
+    mover.radius_m = table.number("radius_m", kExtent);
     for (const char* key : {"length_m", "width_m"}) {
       if (table.has(key))
         table.problem(key, ErrorCode::BadParameter, "a mover is a disc or a box: {} or radius_m", key);
@@ -93,7 +85,7 @@ void read_mover_body(config::Table& table, MoverPlan& mover) {
     }
     return;
   }
-  const double length_m = table.number("length_m", kSize), width_m = table.number("width_m", kSize);
+  const double length_m = table.number("length_m", kExtent), width_m = table.number("width_m", kExtent);
   mover.outline = rectangle({0, 0}, length_m, width_m, 0);
   mover.radius_m = Vector2{length_m, width_m}.length() / 2 * (1 + 1e-12);  // never a hair within the corners
 }

@@ -9,14 +9,7 @@
 namespace ganglion::sim {
 namespace {
 
-constexpr config::Range kCoordinate{-kMaxCoordinate_m, kMaxCoordinate_m};
-constexpr config::Range kSize{kMinSize_m, 2 * kMaxCoordinate_m};
 constexpr config::Range kTime{1e-3, 1e6};
-
-Vector2 read_position(config::Table& table) {
-  const double x = table.number("x_m", kCoordinate);
-  return {x, table.number("y_m", kCoordinate)};
-}
 
 Colour read_colour(config::Table& table, const Colour& preset) {
   const std::string text = table.text("colour", "");
@@ -41,12 +34,12 @@ void read_outline(config::Table& table, FloorZone& zone) {
     if (check_spacing(table, "points", zone.outline, true)) check_outline(table, "points", zone.outline);
     if (doubled_area(zone.outline) < 0) std::reverse(zone.outline.begin(), zone.outline.end());
   } else if (table.has("radius_m")) {
-    zone.disc = {read_position(table), table.number("radius_m", kSize)};
+    zone.disc = {read_position(table), table.number("radius_m", kExtent)};
     const Vector2 reach{zone.disc.radius_m, zone.disc.radius_m};
     zone.box = {zone.disc.position - reach, zone.disc.position + reach};
   } else {
     const Vector2 centre = read_position(table);
-    const double length_m = table.number("length_m", kSize), width_m = table.number("width_m", kSize);
+    const double length_m = table.number("length_m", kExtent), width_m = table.number("width_m", kExtent);
     const double yaw_rad = Angle::from_deg(table.number("yaw_deg", 0, {-360, 360})).rad();
     zone.outline = rectangle(centre, length_m, width_m, yaw_rad);
   }
@@ -97,7 +90,7 @@ void read_word(config::Table& table, Beacon& beacon) {
   if (events.size() > kMaxWord) {
     table.problem("word", ErrorCode::TooLarge, "word has {} events; the limit is {}", events.size(), kMaxWord);
   }
-  const double sound_range_m = table.number("sound_range_m", 5, kSize);
+  const double sound_range_m = table.number("sound_range_m", 5, kExtent);
   beacon.sound_range_m = table.has("word") ? sound_range_m : 0;
   beacon.event_s = table.number("event_s", 0.3, kTime);
   beacon.pause_s = table.number("pause_s", 2, {0, 1e6});

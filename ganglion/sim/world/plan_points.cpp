@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "ganglion/base/text.h"
-#include "ganglion/sim/world/plan.h"
 
 namespace ganglion::sim {
 namespace {
@@ -54,6 +53,11 @@ bool edges_meet(Vector2 a, Vector2 b, Vector2 c, Vector2 d) noexcept {
 }
 
 }  // namespace
+
+Vector2 read_position(config::Table& table) {
+  const double x = table.number("x_m", kCoordinate);
+  return {x, table.number("y_m", kCoordinate)};
+}
 
 std::vector<Vector2> read_points(config::Table& table, std::string_view key, std::size_t least) {
   table.asks(key, {.form = config::Asked::Form::Points,

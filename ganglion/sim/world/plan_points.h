@@ -4,9 +4,16 @@
 #include <vector>
 
 #include "ganglion/config/table.h"
-#include "ganglion/sim/world/shape.h"
+#include "ganglion/sim/world/plan.h"
 
 namespace ganglion::sim {
+
+/// What a place and an extent may be, in metres.
+constexpr config::Range kCoordinate{-kMaxCoordinate_m, kMaxCoordinate_m};
+constexpr config::Range kExtent{kMinSize_m, 2 * kMaxCoordinate_m};
+
+/// Reads the keys x_m and y_m.
+Vector2 read_position(config::Table& table);
 
 /// Reads `key = [[x, y], ...]`, at least `least` points within the coordinate limit. On any problem, which is reported
 /// at its place, gives none.

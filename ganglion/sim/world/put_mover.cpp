@@ -7,7 +7,7 @@
 namespace ganglion::sim {
 namespace {
 
-constexpr double kTouch_m = 1e-9;  // it may stand right at a wall
+constexpr double kStandingAt_m = 1e-9;  // it may stand right at a wall
 
 }  // namespace
 
@@ -44,7 +44,7 @@ bool World::meets_ground(std::size_t mover, const Pose2& pose) const noexcept {
   if (ground_->inside_solid(pose.position)) return true;
   const MoverState& shape = movers_[mover];
   if (shape.outline.empty()) {
-    return ground_->clearance(pose.position, shape.radius_m) < shape.radius_m - kTouch_m;
+    return ground_->clearance(pose.position, shape.radius_m) < shape.radius_m - kStandingAt_m;
   }
   std::array<Vector2, 4> corners;
   for (std::size_t k = 0; k < shape.outline.size(); ++k) corners[k] = pose.to_outer(shape.outline[k]);

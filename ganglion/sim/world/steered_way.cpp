@@ -8,7 +8,7 @@
 namespace ganglion::sim {
 namespace {
 
-constexpr std::size_t kMaxCells = 1 << 20;
+constexpr std::size_t kMostSteeredCells = 1 << 20;
 constexpr std::uint32_t kHeadings = 8;
 
 std::size_t count_of(const CellGrid& grid) noexcept { return static_cast<std::size_t>(grid.columns()) * grid.rows(); }
@@ -32,9 +32,9 @@ Result<SteeredWay> SteeredWay::make(const CellGrid& grid, int max_turn) {
   if (max_turn != 1 && max_turn != 2 && max_turn != 4) {
     return fail(ErrorCode::BadParameter, "max_turn is {} eighths, must be 1, 2 or 4", max_turn);
   }
-  if (count_of(grid) > kMaxCells) {
+  if (count_of(grid) > kMostSteeredCells) {
     return fail(ErrorCode::TooLarge, "the grid has {} cells; ways with a limited turn are sought among {} at most",
-                count_of(grid), kMaxCells);
+                count_of(grid), kMostSteeredCells);
   }
   return SteeredWay(count_of(grid), max_turn);
 }

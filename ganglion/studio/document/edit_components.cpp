@@ -9,10 +9,10 @@
 namespace ganglion::studio {
 namespace {
 
-constexpr std::array<std::string_view, 5> kClasses = {"sensation", "sensing", "goal", "acting", "coordinator"};
+constexpr std::array<std::string_view, 5> kClassOrder = {"sensation", "sensing", "goal", "acting", "coordinator"};
 
 std::size_t rank(std::string_view name) noexcept {
-  return static_cast<std::size_t>(std::find(kClasses.begin(), kClasses.end(), name) - kClasses.begin());
+  return static_cast<std::size_t>(std::find(kClassOrder.begin(), kClassOrder.end(), name) - kClassOrder.begin());
 }
 
 /// Where a component of the class goes: behind the last of its class, or of those before it.
@@ -108,7 +108,7 @@ void place_boxes(Sheet& sheet, const std::vector<std::pair<std::string, std::str
 Result<void> add_component(Sheet& sheet, const Json& what, std::vector<std::string>& ids) {
   const auto component_class = text_in(what, "class");
   if (!component_class) return tl::unexpected<Error>(component_class.error());
-  if (rank(*component_class) == kClasses.size()) {
+  if (rank(*component_class) == kClassOrder.size()) {
     return fail(ErrorCode::UnknownKey, "there is no class \"{}\"", *component_class);
   }
   const bool sensation = *component_class == "sensation";

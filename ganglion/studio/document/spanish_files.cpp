@@ -5,7 +5,7 @@
 namespace ganglion::studio {
 namespace {
 
-constexpr auto kPhrases = std::to_array<Phrase>({
+constexpr auto kFilePhrases = std::to_array<Phrase>({
     // commands of the page
     {"there is nothing at this path", "aquí no hay nada"},
     {"this path takes {}", "esta ruta admite {0}"},
@@ -143,6 +143,6 @@ constexpr auto kPhrases = std::to_array<Phrase>({
 
 }  // namespace
 
-std::span<const Phrase> spanish_of_files() noexcept { return kPhrases; }
+std::span<const Phrase> spanish_of_files() noexcept { return kFilePhrases; }
 
 }  // namespace ganglion::studio

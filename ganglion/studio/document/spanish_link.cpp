@@ -5,7 +5,7 @@
 namespace ganglion::studio {
 namespace {
 
-constexpr auto kPhrases = std::to_array<Phrase>({
+constexpr auto kLinkPhrases = std::to_array<Phrase>({
     // a look at a robot
     {"{} takes connections", "{0} acepta conexiones"},
     {"it answers JSON lines but no binary frames: write encoding = \"json\" in [application]",
@@ -145,6 +145,6 @@ constexpr auto kPhrases = std::to_array<Phrase>({
 
 }  // namespace
 
-std::span<const Phrase> spanish_of_links() noexcept { return kPhrases; }
+std::span<const Phrase> spanish_of_links() noexcept { return kLinkPhrases; }
 
 }  // namespace ganglion::studio

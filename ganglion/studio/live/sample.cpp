@@ -11,7 +11,7 @@
 namespace ganglion::studio {
 namespace {
 
-using Json = nlohmann::json;
+using Message = nlohmann::json;
 
 constexpr double kMostCells = 1e9;
 
@@ -36,23 +36,23 @@ std::string begin(SampleKind kind, const SampleHead& head, std::size_t payload) 
 }
 
 /// What is no object, or nests too deep, becomes null.
-Json object_in(std::string_view text) {
-  return json_nests_within(text, kDeepestJson) ? Json::parse(text, nullptr, false) : Json();
+Message object_in(std::string_view text) {
+  return json_nests_within(text, kDeepestJson) ? Message::parse(text, nullptr, false) : Message();
 }
 
-const Json& member(const Json& object, const char* key) {
-  static const Json kNone;
+const Message& member(const Message& object, const char* key) {
+  static const Message kNone;
   const auto found = object.is_object() ? object.find(key) : object.end();
   return found != object.end() ? *found : kNone;
 }
 
-double number(const Json& object, const char* key) {
-  const Json& found = member(object, key);
+double number(const Message& object, const char* key) {
+  const Message& found = member(object, key);
   return found.is_number() ? found.get<double>() : 0;
 }
 
 /// 0 for what is no number of cells.
-std::uint32_t count(const Json& object, const char* key) {
+std::uint32_t count(const Message& object, const char* key) {
   const double value = number(object, key);
   return value >= 1 && value <= kMostCells ? static_cast<std::uint32_t>(value) : 0;
 }
@@ -76,19 +76,19 @@ std::string_view name_of(SampleKind kind) noexcept {
 }
 
 bool GridState::take(std::string_view text, std::uint32_t seq) {
-  const Json json = object_in(text);
+  const Message json = object_in(text);
   if (!json.is_object() || !json.contains("data") || !json["data"].is_string()) return false;
   const auto bytes = base64_bytes(json["data"].get_ref<const std::string&>());
   const std::uint32_t columns = count(json, "column_count");
   std::vector<std::string> layers;
   if (json.contains("fields") && json["fields"].is_array()) {
-    for (const Json& field : json["fields"]) {
-      const Json& name = member(field, "name");
+    for (const Message& field : json["fields"]) {
+      const Message& name = member(field, "name");
       layers.push_back(name.is_string() ? name.get<std::string>() : std::string());
     }
   }
   if (!bytes || columns == 0 || layers.empty() || bytes->size() % (columns * layers.size()) != 0) return false;
-  const Json& at = member(member(json, "pose"), "position");
+  const Message& at = member(member(json, "pose"), "position");
   const Vector2 origin{number(at, "x"), number(at, "y")};
   const double cell_m = number(member(json, "cell_size"), "x");
   const auto rows = static_cast<std::uint32_t>(bytes->size() / columns / layers.size());
@@ -148,12 +148,12 @@ std::string row_sample(const SampleHead& head, std::uint32_t tick, std::span<con
 }
 
 std::optional<std::string> path_sample(const SampleHead& head, std::string_view text) {
-  const Json json = object_in(text);
+  const Message json = object_in(text);
   if (!json.is_object() || !json.contains("points") || !json["points"].is_array()) return std::nullopt;
-  const Json& points = json["points"];
+  const Message& points = json["points"];
   std::string out = begin(SampleKind::Path, head, 4 + points.size() * 16);
   put(out, static_cast<std::uint32_t>(points.size()));
-  for (const Json& point : points) {
+  for (const Message& point : points) {
     const bool good = point.is_array() && point.size() == 2 && point[0].is_number() && point[1].is_number();
     if (!good) return std::nullopt;
     put(out, point[0].get<double>());

@@ -116,10 +116,10 @@ class Watch : public std::enable_shared_from_this<Watch> {
 };
 
 /// One HTTP connection, request after request.
-class Connection : public std::enable_shared_from_this<Connection> {
+class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
  public:
-  Connection(ServerCore& core, tcp::socket socket) : core_(core), stream_(std::move(socket)) {}
-  ~Connection() {
+  HttpConnection(ServerCore& core, tcp::socket socket) : core_(core), stream_(std::move(socket)) {}
+  ~HttpConnection() {
     if (!handed_over_) core_.connections.remove(id_);
   }
 
@@ -327,7 +327,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
 }  // namespace
 
 void serve_connection(ServerCore& core, tcp::socket socket) {
-  std::make_shared<Connection>(core, std::move(socket))->start();
+  std::make_shared<HttpConnection>(core, std::move(socket))->start();
 }
 
 }  // namespace ganglion::studio
