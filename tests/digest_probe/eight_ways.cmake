@@ -1,6 +1,7 @@
 # SOURCE: the project; WORK: a folder to build in; JOBS: how many compilers at once. Builds digest_probe with two compilers, with
 # and without optimisation, for the plainest amd64 processor and for one with AVX2 and fused multiply-add, runs all eight,
-# and stops where one prints something else. SELF_TEST=ON adds a ninth build that may contract and reorder arithmetic,
+# and stops where one prints something else. The first is the preset `plain`, source by source, which ./dev lint compiles
+# as well; in the others the sources of a target are compiled together, so that this is seen to change no bit either. SELF_TEST=ON adds a ninth build that may contract and reorder arithmetic,
 # which must be told from the others: a comparison that cannot fail would prove nothing.
 set(compilers g++ clang++-16)
 set(levels -O0 -O2)
@@ -16,10 +17,16 @@ endforeach()
 # build_and_run(NAME COMPILER FLAGS): leaves what the probe printed in WORK/NAME.txt.
 function(build_and_run name compiler flags)
   set(folder ${WORK}/${name})
+  set(configure "-S;${SOURCE};-B;${folder};-G;Ninja;-DCMAKE_CXX_COMPILER=${compiler};-DCMAKE_BUILD_TYPE=None;-DCMAKE_CXX_FLAGS=${flags}")
+  if(name STREQUAL plain)
+    set(folder ${SOURCE}/build/plain)
+    set(configure "--preset;plain")
+  endif()
   foreach(step
-      "${CMAKE_COMMAND};-S;${SOURCE};-B;${folder};-G;Ninja;-DCMAKE_CXX_COMPILER=${compiler};-DCMAKE_BUILD_TYPE=None;-DCMAKE_CXX_FLAGS=${flags};-DGANGLION_TESTS=OFF;-DGANGLION_DIGEST_PROBE=ON;-DGANGLION_PRECOMPILE=ON"
+      "${CMAKE_COMMAND};${configure};-DGANGLION_TESTS=OFF;-DGANGLION_STUDIO=OFF;-DGANGLION_DIGEST_PROBE=ON"
       "${CMAKE_COMMAND};--build;${folder};--target;digest_probe;-j;${JOBS}")
-    execute_process(COMMAND ${step} RESULT_VARIABLE failed OUTPUT_VARIABLE said ERROR_VARIABLE said)
+    execute_process(COMMAND ${step} WORKING_DIRECTORY ${SOURCE} RESULT_VARIABLE failed OUTPUT_VARIABLE said
+                    ERROR_VARIABLE said)
     if(failed)
       message(FATAL_ERROR "${name}: ${said}")
     endif()
@@ -53,6 +60,9 @@ foreach(compiler IN LISTS compilers)
   foreach(level IN LISTS levels)
     foreach(processor IN LISTS processors)
       set(name ${compiler}${level}_${processor})
+      if(first STREQUAL "")
+        set(name plain)  # g++ -O0, x86-64: as in CMakePresets.json
+      endif()
       build_and_run(${name} ${compiler} "${level} -march=${processor}")
       if(first STREQUAL "")
         set(first ${name})
