@@ -2,7 +2,7 @@
 #include <array>
 
 #include "ganglion/base/text.h"
-#include "ganglion/studio/document/source_map.h"
+#include "ganglion/config/source/source_map.h"
 #include "ganglion/studio/document/wording.h"
 #include "ganglion/studio/server/api.h"
 
@@ -99,9 +99,9 @@ std::optional<Reply> Api::read_application(const Ask& ask, Wanted& wanted) const
       return ask.refuse("ProgramNotListed", kNotListed, 403, {{"program", ask.text("program")}});
     }
     wanted.link.program = program->command;
-    for (const std::string& word : program->command) command += (command.empty() ? "" : ", ") + toml_text(word);
+    for (const std::string& word : program->command) command += (command.empty() ? "" : ", ") + config::toml_text(word);
   }
-  wanted.overrides.push_back({"application.address", toml_text(address)});
+  wanted.overrides.push_back({"application.address", config::toml_text(address)});
   wanted.overrides.push_back({"application.program", "[" + command + "]"});
   return std::nullopt;
 }

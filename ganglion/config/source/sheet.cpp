@@ -1,24 +1,24 @@
-#include "ganglion/studio/document/sheet.h"
+#include "ganglion/config/source/sheet.h"
 
 #include <algorithm>
 
-namespace ganglion::studio {
+namespace ganglion::config {
 
 void Sheet::look() {
   map_ = map_source(text_);
-  components_ = components_of(map_, text_);
+  items_ = items_of(map_, text_, lists_);
   by_id_.clear();
-  for (std::size_t i = 0; i < components_.size(); ++i) by_id_.try_emplace(components_[i].id, i);
+  for (std::size_t i = 0; i < items_.size(); ++i) by_id_.try_emplace(items_[i].id, i);
 }
 
-const ComponentSource* Sheet::find(std::string_view id) const {
+const ItemSource* Sheet::find(std::string_view id) const {
   const auto found = id.empty() ? by_id_.end() : by_id_.find(std::string(id));
-  return found != by_id_.end() ? &components_[found->second] : nullptr;
+  return found != by_id_.end() ? &items_[found->second] : nullptr;
 }
 
 std::vector<std::string> Sheet::ids() const {
   std::vector<std::string> result;
-  for (const ComponentSource& component : components_) result.push_back(component.id);
+  for (const ItemSource& item : items_) result.push_back(item.id);
   return result;
 }
 
@@ -34,34 +34,30 @@ std::string Sheet::free_id(const std::string& wanted) const {
   }
 }
 
-std::string Sheet::prefix_of(const ComponentSource& component, std::size_t section) const {
-  if (section == component.sections.front()) return "";
-  return map_.sections[section].name.substr(component.component_class.size() + 1) + ".";
-}
-
 std::optional<Sheet::Found> Sheet::member(std::string_view id, std::string_view key) const {
   if (id.empty()) {
     const MemberSource* found = map_.sections.front().member(key);
     return found != nullptr ? std::optional(Found{0, found}) : std::nullopt;
   }
-  const ComponentSource* component = find(id);
-  if (component == nullptr) return std::nullopt;
-  for (const std::size_t index : component->sections) {
-    const std::string prefix = prefix_of(*component, index);
+  const ItemSource* item = find(id);
+  if (item == nullptr) return std::nullopt;
+  for (const std::size_t index : item->sections) {
+    const std::string prefix = item->prefix(map_, index);
     if (!key.starts_with(prefix)) continue;
     if (const MemberSource* found = map_.sections[index].member(key.substr(prefix.size()))) return Found{index, found};
   }
   return std::nullopt;
 }
 
-std::vector<Sheet::Input> Sheet::inputs() const {
-  std::vector<Input> result;
-  for (const ComponentSource& component : components_) {
-    for (const std::size_t index : component.sections) {
-      const std::string prefix = prefix_of(component, index);
+std::vector<Sheet::Entry> Sheet::entries(std::string_view table) const {
+  std::vector<Entry> result;
+  const std::string before = std::string(table) + ".";
+  for (const ItemSource& item : items_) {
+    for (const std::size_t index : item.sections) {
+      const std::string prefix = item.prefix(map_, index);
       for (const MemberSource& member : map_.sections[index].members) {
         const std::string key = prefix + member.key;
-        if (key.starts_with("in.")) result.push_back({&component, key.substr(3), &member, index});
+        if (key.starts_with(before)) result.push_back({&item, key.substr(before.size()), &member, index});
       }
     }
   }
@@ -91,13 +87,13 @@ void Sheet::set(std::string_view id, const std::string& key, const std::string& 
     replace(found->member->value, toml);
     return;
   }
-  const ComponentSource* component = find(id);
+  const ItemSource* item = find(id);
   std::size_t section = 0;
   std::string rest = key;
-  if (component != nullptr) {
-    section = component->sections.front();
-    for (const std::size_t index : component->sections) {  // [acting.in] takes in.left as left
-      const std::string prefix = prefix_of(*component, index);
+  if (item != nullptr) {
+    section = item->sections.front();
+    for (const std::size_t index : item->sections) {  // [acting.in] takes in.left as left
+      const std::string prefix = item->prefix(map_, index);
       if (prefix.empty() || !key.starts_with(prefix)) continue;
       section = index;
       rest = key.substr(prefix.size());
@@ -127,4 +123,4 @@ void Sheet::expand_inline(std::string_view id, std::string_view key) {
   commit();
 }
 
-}  // namespace ganglion::studio
+}  // namespace ganglion::config

@@ -1,11 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace ganglion::studio {
+namespace ganglion::config {
 
 /// A stretch of a text, [begin, end) in bytes.
 struct Region {
@@ -17,7 +18,7 @@ struct Region {
 
 /// `key = value` where it stands in a text.
 struct MemberSource {
-  std::string key;  ///< Without quotes, parts joined by dots, from the component on: "in.left"; "" = not understood.
+  std::string key;  ///< Without quotes, parts joined by dots, from the section on: "in.left"; "" = not understood.
   Region lines;     ///< Whole lines, comment and line end included.
   Region value;
   int line = 0;       ///< First line, from 1.
@@ -46,14 +47,17 @@ struct SourceMap {
 };
 SourceMap map_source(std::string_view text);
 
-/// One box of the drawing where it stands: a [[class]] section and the [class.sub] sections that belong to it.
-struct ComponentSource {
-  std::string component_class;        ///< As written: "acting".
+/// One item of a list of tables where it stands: a [[list]] section and the [list.sub] sections that belong to it.
+struct ItemSource {
+  std::string list;                   ///< As written: "acting".
   std::string id;                     ///< "" = there is none.
-  std::vector<std::size_t> sections;  ///< Indices into SourceMap::sections, the [[class]] first.
+  std::vector<std::size_t> sections;  ///< Indices into SourceMap::sections, the [[list]] first.
+
+  /// What the keys of one of its sections go on from: "in." in [acting.in], "" in [[acting]].
+  std::string prefix(const SourceMap& map, std::size_t section) const;
 };
-/// In file order; only sections of the five classes.
-std::vector<ComponentSource> components_of(const SourceMap& map, std::string_view text);
+/// In file order; only items of these lists.
+std::vector<ItemSource> items_of(const SourceMap& map, std::string_view text, std::span<const std::string_view> lists);
 
 /// The text a TOML string stands for; "" of anything else.
 std::string unquoted(std::string_view toml);
@@ -62,4 +66,4 @@ std::string toml_text(std::string_view text);
 /// The strings in a value: the value itself, or the items of a list.
 std::vector<Region> strings_in(std::string_view text, Region value);
 
-}  // namespace ganglion::studio
+}  // namespace ganglion::config

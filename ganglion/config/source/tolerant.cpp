@@ -1,8 +1,8 @@
-#include "ganglion/studio/document/tolerant.h"
+#include "ganglion/config/source/tolerant.h"
 
 #include <algorithm>
 
-namespace ganglion::studio {
+namespace ganglion::config {
 namespace {
 
 constexpr int kMostRetries = 20;
@@ -22,7 +22,7 @@ bool blank_broken(std::string& text, const SourceMap& map, const std::string& fi
   std::size_t broken = 0;
   const auto look = [&](Region lines, int line) {
     if (broken >= kMostBroken) return;
-    auto alone = config::parse(lines.of(text), file_name);
+    auto alone = parse(lines.of(text), file_name);
     if (alone) return;
     Error error = alone.error();
     if (error.place.line > 0) error.place.line += line - 1;
@@ -53,11 +53,10 @@ Region region_at(const SourceMap& map, int line) {
 
 }  // namespace
 
-config::Value parse_tolerantly(std::string_view text, const SourceMap& map, const std::string& file_name,
-                               Problems& problems) {
-  auto value = config::parse(text, file_name);
+Value parse_tolerantly(std::string_view text, const SourceMap& map, const std::string& file_name, Problems& problems) {
+  auto value = parse(text, file_name);
   if (value) return std::move(*value);
-  const config::Value nothing(config::Members{}, {file_name, 1, 1});
+  const Value nothing(Members{}, {file_name, 1, 1});
   if (value.error().code == ErrorCode::TooLarge || text.size() > kMostBytes) {
     problems.add(value.error());
     return nothing;
@@ -65,7 +64,7 @@ config::Value parse_tolerantly(std::string_view text, const SourceMap& map, cons
   std::string left(text);
   if (!blank_broken(left, map, file_name, problems)) return nothing;
   for (int i = 0; i < kMostRetries; ++i) {  // what is wrong only together: a key that comes twice
-    value = config::parse(left, file_name);
+    value = parse(left, file_name);
     if (value) return std::move(*value);
     problems.add(value.error());
     const Region region = region_at(map, value.error().place.line);
@@ -76,4 +75,4 @@ config::Value parse_tolerantly(std::string_view text, const SourceMap& map, cons
   return nothing;
 }
 
-}  // namespace ganglion::studio
+}  // namespace ganglion::config

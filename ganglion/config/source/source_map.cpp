@@ -1,16 +1,13 @@
-#include "ganglion/studio/document/source_map.h"
+#include "ganglion/config/source/source_map.h"
 
 #include <algorithm>
-#include <array>
 
 #include "ganglion/base/text.h"
 #include "ganglion/config/lexer.h"
 #include "ganglion/config/value.h"
 
-namespace ganglion::studio {
+namespace ganglion::config {
 namespace {
-
-constexpr std::array<std::string_view, 5> kClasses = {"sensation", "sensing", "goal", "acting", "coordinator"};
 
 /// How often a text is looked through in vain before values that do not end near by are taken to end with their line:
 /// thousands of lists that are not closed must not take forever.
@@ -78,7 +75,7 @@ class Scanner {
       skip_blanks();
       if (peek() == '"' || peek() == '\'') {
         const std::size_t from = at_;
-        at_ = config::string_end(text_, at_);
+        at_ = string_end(text_, at_);
         key += unquoted(text_.substr(from, at_ - from));
       }
       while (is_bare(peek())) key += text_[at_++];
@@ -138,13 +135,13 @@ class Scanner {
     while (at_ < ahead.size()) {
       const char c = text_[at_];
       if (c == '"' || c == '\'') {
-        at_ = config::string_end(ahead, at_);
+        at_ = string_end(ahead, at_);
         if (depth == 0) return;
         continue;
       }
       if (c == '#' && depth == 0) break;
       if (c == '#') {
-        at_ = config::comment_end(ahead, at_);
+        at_ = comment_end(ahead, at_);
         continue;
       }
       if (c == '\n' && depth == 0) break;
@@ -216,16 +213,21 @@ const MemberSource* SectionSource::member(std::string_view key) const noexcept {
 
 SourceMap map_source(std::string_view text) { return Scanner(text).run(); }
 
-std::vector<ComponentSource> components_of(const SourceMap& map, std::string_view text) {
-  std::vector<ComponentSource> result;
-  std::array<std::size_t, kClasses.size()> last{};  // of each class, counted from 1
+std::string ItemSource::prefix(const SourceMap& map, std::size_t section) const {
+  if (section == sections.front()) return "";
+  return map.sections[section].name.substr(list.size() + 1) + ".";
+}
+
+std::vector<ItemSource> items_of(const SourceMap& map, std::string_view text, std::span<const std::string_view> lists) {
+  std::vector<ItemSource> result;
+  std::vector<std::size_t> last(lists.size());  // of each list, counted from 1
   for (std::size_t i = 0; i < map.sections.size(); ++i) {
     const SectionSource& section = map.sections[i];
     const std::size_t dot = section.name.find('.');
     const std::string_view root = std::string_view(section.name).substr(0, dot);
-    const auto known = std::find(kClasses.begin(), kClasses.end(), root);
-    if (known == kClasses.end()) continue;
-    std::size_t& owner = last[static_cast<std::size_t>(known - kClasses.begin())];
+    const auto known = std::find(lists.begin(), lists.end(), root);
+    if (known == lists.end()) continue;
+    std::size_t& owner = last[static_cast<std::size_t>(known - lists.begin())];
     if (section.list && dot == std::string::npos) {
       result.push_back({section.name, id_of(section, text), {i}});
       owner = result.size();
@@ -242,7 +244,7 @@ std::string unquoted(std::string_view toml) {
   const bool plain = toml.back() == toml[0] && inner.find('\\') == std::string_view::npos &&
                      inner.find(toml[0]) == std::string_view::npos;
   if (plain) return std::string(inner);
-  const auto parsed = config::parse("v = " + std::string(toml), "");
+  const auto parsed = parse("v = " + std::string(toml), "");
   if (!parsed || parsed->table()->size() != 1) return "";
   const std::string* text = parsed->table()->front().second.string();
   return text != nullptr ? *text : std::string();
@@ -268,11 +270,11 @@ std::vector<Region> strings_in(std::string_view text, Region value) {
   std::vector<Region> result;
   for (std::size_t at = value.begin; at < value.end;) {
     if (text[at] == '"' || text[at] == '\'') {
-      const std::size_t end = std::min(config::string_end(text, at), value.end);
+      const std::size_t end = std::min(string_end(text, at), value.end);
       result.push_back({at, end});
       at = end;
     } else if (text[at] == '#') {
-      at = config::comment_end(text, at);
+      at = comment_end(text, at);
     } else {
       ++at;
     }
@@ -280,4 +282,4 @@ std::vector<Region> strings_in(std::string_view text, Region value) {
   return result;
 }
 
-}  // namespace ganglion::studio
+}  // namespace ganglion::config

@@ -1,48 +1,50 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
 
 #include "ganglion/base/result.h"
-#include "ganglion/studio/document/source_map.h"
+#include "ganglion/config/source/source_map.h"
 
-namespace ganglion::studio {
+namespace ganglion::config {
 
-/// A controller's text while it is being changed: finds what stands where, and writes in the places found.
+/// A TOML text of lists of tables while it is being changed: finds what stands where, and writes in the places found.
 class Sheet {
  public:
-  explicit Sheet(std::string text) : text_(std::move(text)) { look(); }
+  /// Items are those of the lists, whose names must outlive the sheet.
+  Sheet(std::string text, std::span<const std::string_view> lists) : text_(std::move(text)), lists_(lists) { look(); }
 
   const std::string& text() const noexcept { return text_; }
   const SourceMap& map() const noexcept { return map_; }
-  const std::vector<ComponentSource>& components() const noexcept { return components_; }
+  const std::vector<ItemSource>& items() const noexcept { return items_; }
   std::string take() noexcept { return std::move(text_); }
 
   /// Null where there is none.
-  const ComponentSource* find(std::string_view id) const;
+  const ItemSource* find(std::string_view id) const;
   std::vector<std::string> ids() const;
-  /// Whether the id is free, as a component and in the layout.
+  /// Whether no item has the id.
   bool is_free(std::string_view id) const { return find(id) == nullptr; }
   /// `wanted`, or with the first number behind it that makes it free.
   std::string free_id(const std::string& wanted) const;
 
-  /// A member of a component by its whole key; of the file itself where `id` is "".
+  /// A member of an item by its whole key; of the file itself where `id` is "".
   struct Found {
     std::size_t section;
     const MemberSource* member;
   };
   std::optional<Found> member(std::string_view id, std::string_view key) const;
-  /// All members whose whole key is "in.*", of every component.
-  struct Input {
-    const ComponentSource* component;
-    std::string port;
+  struct Entry {
+    const ItemSource* item;
+    std::string key;  ///< In the table: "left" of "in.left".
     const MemberSource* member;
     std::size_t section;
   };
-  std::vector<Input> inputs() const;
+  /// What stands in a table of that name, of every item: of "in" the members whose whole key is "in.*".
+  std::vector<Entry> entries(std::string_view table) const;
 
   /// Notes a change; nothing moves until commit(). Regions must not overlap.
   void replace(Region region, std::string by) { changes_.push_back({region, std::move(by)}); }
@@ -62,13 +64,13 @@ class Sheet {
     std::string by;
   };
   void look();
-  std::string prefix_of(const ComponentSource& component, std::size_t section) const;
 
   std::string text_;
+  std::span<const std::string_view> lists_;
   SourceMap map_;
-  std::vector<ComponentSource> components_;
+  std::vector<ItemSource> items_;
   std::unordered_map<std::string, std::size_t> by_id_;  ///< The first of each id.
   std::vector<Change> changes_;
 };
 
-}  // namespace ganglion::studio
+}  // namespace ganglion::config
