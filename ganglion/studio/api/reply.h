@@ -24,12 +24,4 @@ inline Reply json_reply(const Json& json) { return {200, "application/json", dum
 Reply failure(std::string_view code, std::string_view message, unsigned status, const Json& arguments = Json::object());
 Reply failure(const Error& error, Language language, const Json& arguments = Json::object());
 
-/// A request that was let in.
-struct Call {
-  std::string method;
-  std::string path;    ///< Decoded.
-  std::string target;  ///< As it came, with the query.
-  std::string body;
-};
-
 }  // namespace ganglion::studio

@@ -1,4 +1,4 @@
-#include "ganglion/studio/server/reply.h"
+#include "ganglion/studio/api/reply.h"
 
 #include "ganglion/studio/document/wording.h"
 

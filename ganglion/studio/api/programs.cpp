@@ -1,4 +1,4 @@
-#include "ganglion/studio/server/programs.h"
+#include "ganglion/studio/api/programs.h"
 
 #include <cstdlib>
 

@@ -1,10 +1,11 @@
+#include "ganglion/studio/api/wanted.h"
+
 #include <algorithm>
 #include <array>
 
 #include "ganglion/base/text.h"
 #include "ganglion/config/source/source_map.h"
 #include "ganglion/studio/document/wording.h"
-#include "ganglion/studio/server/api.h"
 
 namespace ganglion::studio {
 namespace {
@@ -46,7 +47,7 @@ Result<link::Address> allowed_address(const std::string& text) {
   return address;
 }
 
-Result<void> Api::read_files(const Ask& ask, Wanted& wanted) const {
+Result<void> WantedReader::read_files(const Ask& ask, Wanted& wanted) const {
   const auto experiment = folder_.resolve(ask.text("experiment"));
   if (!experiment) return tl::unexpected<Error>(experiment.error());
   wanted.experiment = *experiment;
@@ -67,7 +68,7 @@ Result<void> Api::read_files(const Ask& ask, Wanted& wanted) const {
   return wanted.drawn->write();
 }
 
-std::optional<Reply> Api::read_sets(const Ask& ask, Wanted& wanted) const {
+std::optional<Reply> WantedReader::read_sets(const Ask& ask, Wanted& wanted) const {
   for (const Json& one : ask.body.value("set", Json::array())) {
     const auto set = config::parse_override(one.is_string() ? one.get<std::string>() : std::string());
     if (!set) return failure(set.error(), ask.language);
@@ -81,7 +82,7 @@ std::optional<Reply> Api::read_sets(const Ask& ask, Wanted& wanted) const {
 }
 
 /// Where the robot is: an address, "" for the simulation, or a listed program. One of them takes the others' place.
-std::optional<Reply> Api::read_application(const Ask& ask, Wanted& wanted) const {
+std::optional<Reply> WantedReader::read_application(const Ask& ask, Wanted& wanted) const {
   if (!ask.has("address") && !ask.has("program")) return std::nullopt;
   if (ask.has("address") && ask.has("program")) {
     return ask.refuse("BadParameter", "give either an address or a program", 400);
@@ -106,15 +107,15 @@ std::optional<Reply> Api::read_application(const Ask& ask, Wanted& wanted) const
   return std::nullopt;
 }
 
-std::optional<Reply> Api::read_wanted(const Ask& ask, Wanted& wanted) const {
+std::optional<Reply> WantedReader::read_wanted(const Ask& ask, Wanted& wanted) const {
   if (const auto read = read_files(ask, wanted); !read) return failure(read.error(), ask.language);
   if (auto refused = read_sets(ask, wanted)) return refused;
   return read_application(ask, wanted);
 }
 
 /// Nothing is read outside of the folder, and no program started but those the user lists.
-std::optional<Reply> Api::refuse_experiment(const Experiment& experiment, const std::vector<fs::path>& files,
-                                            const Ask& ask) const {
+std::optional<Reply> WantedReader::refuse_experiment(const Experiment& experiment, const std::vector<fs::path>& files,
+                                                     const Ask& ask) const {
   const LinkChoice& link = experiment.link;
   const bool listed = link.program.empty() || std::any_of(programs_.begin(), programs_.end(),
                                                           [&](const auto& one) { return one.command == link.program; });
@@ -134,37 +135,22 @@ std::optional<Reply> Api::refuse_experiment(const Experiment& experiment, const 
   return std::nullopt;
 }
 
-std::optional<Reply> Api::read_experiment_of(const Wanted& wanted, const Ask& ask, Experiment& experiment) const {
+std::optional<Reply> WantedReader::read_experiment_of(const Wanted& wanted, const Ask& ask,
+                                                      Experiment& experiment) const {
   Problems problems;
   experiment = read_experiment(wanted.experiment, wanted.overrides, problems, wanted.instead);
   const ExperimentFiles& files = experiment.files;
   return refuse_experiment(experiment, {files.controller, files.robot, files.world}, ask);
 }
 
-std::optional<Reply> Api::prepare_wanted(const Wanted& wanted, const Ask& ask,
-                                         std::optional<Prepared>& prepared) const {
+std::optional<Reply> WantedReader::prepare_wanted(const Wanted& wanted, const Ask& ask,
+                                                  std::optional<Prepared>& prepared) const {
   Experiment named;
   if (auto refused = read_experiment_of(wanted, ask, named)) return refused;
   Problems problems;
   prepared = prepare(wanted.experiment, wanted.overrides, problems, wanted.instead);
   if (!prepared) return problems_reply(problems, ask.language);
   return refuse_experiment(prepared->experiment, input_files(prepared->experiment.files), ask);
-}
-
-Reply Api::start_run(const Ask& ask) {
-  if (auto refused = refuse_command(ask)) return *refused;
-  if (session_ && !session_->over()) {
-    return ask.refuse("Running", "a run is on; stop it first", 409);
-  }
-  Wanted wanted;
-  if (auto refused = read_wanted(ask, wanted)) return *refused;
-  std::optional<Prepared> prepared;
-  if (auto refused = prepare_wanted(wanted, ask, prepared)) return *refused;
-  auto plan = plan_of(ask, *prepared);
-  if (!plan) return failure(plan.error(), ask.language);
-  plan->drawn = wanted.drawn;
-  begin(std::make_shared<const Prepared>(std::move(*prepared)), std::move(*plan));
-  return json_reply({{"run", std::to_string(runs_)}, {"state", state()}});
 }
 
 }  // namespace ganglion::studio

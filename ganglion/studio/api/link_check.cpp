@@ -1,4 +1,4 @@
-#include "ganglion/studio/server/link_check.h"
+#include "ganglion/studio/api/link_check.h"
 
 #include <unistd.h>
 
