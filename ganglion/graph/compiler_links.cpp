@@ -1,3 +1,4 @@
+// What each component reads and writes: the places it is bound to.
 #include <algorithm>
 #include <limits>
 
@@ -51,20 +52,7 @@ void Compiler::connect_acting(std::size_t index, const Links& links) {
       joints.circular = port.type == ValueType::Circular;
     }
     ++input;
-    if (port.role != PortRole::Request) continue;
-    if (!part.request) part.request = std::make_unique<RequestSlot>();
-    part.request->width = port.elements.empty() ? port.size : static_cast<int>(port.elements.size());
-    const Wire* wire = model.wire(static_cast<int>(p));
-    if (wire == nullptr) continue;
-    std::vector<GlobalGoal*> goals;
-    for (const Source& source : wire->sources) {
-      Controller::Part& from = this->part(source.component);
-      if (source.kind == Source::Kind::Goal) goals.push_back(from.goal.get());
-      if (source.kind != Source::Kind::ModuleCommand) continue;
-      from.below = part.request.get();
-      asked_[static_cast<std::size_t>(source.component)] = static_cast<int>(index);
-    }
-    if (!goals.empty()) part.arbiter.emplace(std::move(goals), model.preemption);
+    if (port.role == PortRole::Request) connect_request(index, p);
   }
   joints.request = part.request.get();
   joints.tolerance = model.tolerance;
@@ -84,32 +72,6 @@ void Compiler::connect_candidates(std::size_t index) {
     }
   }
   part.shares.assign(part.candidates.size(), 0);
-}
-
-/// A module whose command a coordinator makes a request of another module hears what becomes of it, and pays what that
-/// module pays.
-void Compiler::connect_answers() {
-  for (std::size_t i = 0; i < controller_.parts_.size(); ++i) {
-    Part& part = controller_.parts_[i];
-    if (!part.acting) continue;
-    if (part.below != nullptr) part.acting->set_below(part.below);
-    if (taker_[i] < 0) continue;
-    auto last = static_cast<std::size_t>(taker_[i]);
-    while (taker_[last] >= 0) last = static_cast<std::size_t>(taker_[last]);  // no circle: the order was found
-    if (asked_[last] < 0) continue;
-    part.charged_by = asked_[last];
-    part.acting->set_answer(this->part(part.charged_by).request.get());
-  }
-}
-
-void Compiler::join_digest() {
-  for (Part& part : controller_.parts_) part.digest = controller_.digest_.join(identity_.robot, part.id);
-  controller_.command_digest_ = controller_.digest_.join(identity_.robot, "@commands");
-}
-
-Result<Controller> Controller::compile(const ControllerModel& model, const RobotDescription& robot,
-                                       const KindList& kinds, const Identity& identity) {
-  return Compiler(model, robot, kinds, identity).run();
 }
 
 }  // namespace ganglion
