@@ -1,9 +1,15 @@
+#include "ganglion/run/replay.h"
+
 #include <unistd.h>
+
+#include <algorithm>
+#include <limits>
 
 #include "ganglion/base/hash.h"
 #include "ganglion/record/run_file.h"
+#include "ganglion/run/prepared.h"
 #include "ganglion/run/recording.h"
-#include "ganglion/run/replay.h"
+#include "ganglion/run/run.h"
 
 namespace ganglion {
 namespace {
