@@ -3,10 +3,10 @@
 #include <vector>
 
 #include "fuzz/target.h"
-#include "ganglion/sim/world/flat_yaml.h"
-#include "ganglion/sim/world/grey_image.h"
 #include "ganglion/sim/world/ground.h"
-#include "ganglion/sim/world/occupancy_map.h"
+#include "ganglion/sim/world/map/flat_yaml.h"
+#include "ganglion/sim/world/map/grey_image.h"
+#include "ganglion/sim/world/map/occupancy_map.h"
 
 namespace ganglion::fuzz {
 namespace {

@@ -4,6 +4,7 @@
 #include "ganglion/base/file.h"
 #include "ganglion/base/text.h"
 #include "ganglion/run/replay.h"
+#include "ganglion/run/replay_open_loop.h"
 #include "say.h"
 
 namespace ganglion {

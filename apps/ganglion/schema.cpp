@@ -7,7 +7,7 @@
 #include "ganglion/kinds/kinds.h"
 #include "ganglion/run/experiment_schema.h"
 #include "ganglion/sim/robot/robot_schema.h"
-#include "ganglion/sim/world/world_schema.h"
+#include "ganglion/sim/world/plan/world_schema.h"
 #include "say.h"
 
 namespace ganglion {

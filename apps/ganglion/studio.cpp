@@ -8,7 +8,7 @@
 
 #include "commands.h"
 #include "ganglion/base/text.h"
-#include "ganglion/studio/server/programs.h"
+#include "ganglion/studio/api/programs.h"
 #include "interrupt.h"
 #include "say.h"
 #include "studio.h"

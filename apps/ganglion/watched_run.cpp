@@ -3,7 +3,7 @@
 #include <thread>
 
 #include "ganglion/studio/live/run_session.h"
-#include "ganglion/studio/server/programs.h"
+#include "ganglion/studio/api/programs.h"
 #include "interrupt.h"
 #include "say.h"
 #include "studio.h"

@@ -1,14 +1,27 @@
 #include "ganglion/graph/compiler.h"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
-
-#include "ganglion/graph/loops.h"
 
 namespace ganglion {
+namespace {
 
-constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+template <class Product>
+Result<void> make(std::span<const Kind<Product>* const> kinds, const ComponentModel& model,
+                  std::unique_ptr<Product>& into) {
+  const auto* kind = find_kind(kinds, model.descriptor->name);
+  expects(kind != nullptr);
+  auto made = kind->make(model.parameters);
+  if (!made) {
+    Error error = made.error();
+    error.message = model.id + ": " + error.message;
+    if (error.place.file.empty()) error.place = model.place;
+    return tl::unexpected<Error>(std::move(error));
+  }
+  into = std::move(*made);
+  return {};
+}
+
+}  // namespace
 
 Result<Controller> Compiler::run() {
   if (auto fit = check_limits(); !fit) return tl::unexpected<Error>(fit.error());
@@ -46,22 +59,6 @@ Result<void> Compiler::check_limits() const {
   return {};
 }
 
-template <class Product>
-Result<void> make(std::span<const Kind<Product>* const> kinds, const ComponentModel& model,
-                  std::unique_ptr<Product>& into) {
-  const auto* kind = find_kind(kinds, model.descriptor->name);
-  expects(kind != nullptr);
-  auto made = kind->make(model.parameters);
-  if (!made) {
-    Error error = made.error();
-    error.message = model.id + ": " + error.message;
-    if (error.place.file.empty()) error.place = model.place;
-    return tl::unexpected<Error>(std::move(error));
-  }
-  into = std::move(*made);
-  return {};
-}
-
 Result<void> Compiler::make_part(const ComponentModel& model) {
   Part part;
   part.id = model.id;
@@ -89,131 +86,14 @@ Result<void> Compiler::make_part(const ComponentModel& model) {
   return made;
 }
 
-std::vector<std::string> command_elements(const ComponentModel& model, const RobotDescription& robot) {
-  std::vector<std::string> names;
-  if (model.command_index >= 0) {
-    for (const auto& element : robot.commands[static_cast<std::size_t>(model.command_index)].elements) {
-      names.push_back(element.name);
-    }
-    return names;
-  }
-  for (const PortDescriptor& port : model.descriptor->ports) {
-    if (port.role != PortRole::Command) continue;
-    names.assign(port.elements.begin(), port.elements.end());
-    for (int i = static_cast<int>(names.size()); i < port.size; ++i) names.push_back(std::to_string(i));
-  }
-  return names;
+void Compiler::join_digest() {
+  for (Part& part : controller_.parts_) part.digest = controller_.digest_.join(identity_.robot, part.id);
+  controller_.command_digest_ = controller_.digest_.join(identity_.robot, "@commands");
 }
 
-void Compiler::lay_out_signals() {
-  for (std::size_t i = 0; i < model_.components.size(); ++i) {
-    const ComponentModel& model = model_.components[i];
-    Part& part = controller_.parts_[i];
-    part.signals.first = controller_.signals_.size();
-    part.out_ages = {ages_, model.outputs.size()};
-    ages_ += model.outputs.size();
-    bool common_found = false;
-    for (const OutputShape& output : model.outputs) {
-      if (!output.declared && !common_found) part.common = controller_.signals_.size();
-      common_found = common_found || !output.declared;
-      const std::string name = output.name.empty() ? model.id : model.id + "." + output.name;
-      if (output.elements.empty()) add_signal(name, output.unit);
-      for (const std::string& element : output.elements) add_signal(name + "." + element, output.unit);
-    }
-    if (part.acting || part.coordinator) {
-      part.command_signals.first = controller_.signals_.size();
-      for (const std::string& element : command_elements(model, robot_)) {
-        add_signal(model.id + ".command." + element, "");
-        ++part.command_signals.count;
-      }
-    }
-    part.signals.count = controller_.signals_.size() - part.signals.first;
-  }
-}
-
-void Compiler::lay_out_commands() {
-  controller_.sense_values_ = static_cast<std::size_t>(robot_.sensation_values());
-  controller_.sense_channels_ = robot_.sensations.size();
-  controller_.command_frame_.first = controller_.signals_.size();
-  for (std::size_t c = 0; c < robot_.commands.size(); ++c) {
-    const CommandChannel& channel = robot_.commands[c];
-    Controller::ChannelOut out;
-    out.offset = static_cast<std::size_t>(robot_.command_offset(c));
-    out.elements = channel.elements;
-    for (std::size_t i = 0; i < model_.components.size(); ++i) {
-      if (model_.components[i].command_index == static_cast<int>(c)) out.writer = static_cast<int>(i);
-    }
-    for (const CommandElement& element : channel.elements) add_signal(channel.name + "." + element.name, element.unit);
-    controller_.channels_.push_back(std::move(out));
-  }
-  controller_.command_frame_.count = controller_.signals_.size() - controller_.command_frame_.first;
-  values_ = controller_.signals_.size();
-}
-
-void Compiler::lay_out_inputs() {
-  loops_ = loops_of(model_);
-  command_age_ = ages_++;
-  inputs_.resize(model_.components.size());
-  for (std::size_t i = 0; i < model_.components.size(); ++i) {
-    const ComponentModel& model = model_.components[i];
-    if (model.descriptor == nullptr) continue;
-    for (std::size_t p = 0; p < model.descriptor->ports.size(); ++p) {
-      if (!is_input(model.component_class, model.descriptor->ports[p].role)) continue;
-      const std::size_t first = values_, age_first = ages_;
-      if (const Wire* wire = model.wire(static_cast<int>(p))) {
-        for (const Source& source : wire->sources) lay_out_wire(i, model.descriptor->ports[p], source);
-      }
-      inputs_[i].push_back({first, values_ - first, age_first, ages_ - age_first});
-    }
-  }
-}
-
-/// Where the values of a wire come from: its first value and the index of its age.
-struct Origin {
-  std::size_t value, age;
-};
-
-void Compiler::lay_out_wire(std::size_t index, const PortDescriptor& port, const Source& source) {
-  if (source.size == 0) return;  // goals and commands do not travel by value
-  Part& part = controller_.parts_[index];
-  Origin origin{};
-  if (source.kind == Source::Kind::RobotCommand) {
-    const auto channel = static_cast<std::size_t>(source.component);
-    origin = {controller_.command_frame_.first + static_cast<std::size_t>(robot_.command_offset(channel)),
-              command_age_};
-  } else {
-    const Part& from = controller_.parts_[static_cast<std::size_t>(source.component)];
-    const auto& outputs = model_.components[static_cast<std::size_t>(source.component)].outputs;
-    std::size_t output = 0;
-    if (source.kind == Source::Kind::Output) output = static_cast<std::size_t>(source.port);
-    if (source.kind == Source::Kind::SensationAge) output = 1;
-    origin = {from.signals.first, from.out_ages.first + output};
-    for (std::size_t o = 0; o < output; ++o) origin.value += static_cast<std::size_t>(outputs[o].size());
-  }
-  if (source.element > 0) origin.value += static_cast<std::size_t>(source.element);
-  const auto count = static_cast<std::size_t>(source.size);
-  part.gather.push_back({values_, origin.value, count, ages_, origin.age, source.previous});
-  // Neither an expectation nor a percept's own past, come back by a loop, is a reading that ages it.
-  const bool loop = source.kind == Source::Kind::Output && source.previous &&
-                    loops_[static_cast<std::size_t>(source.component)] == loops_[index];
-  if (port.role != PortRole::Appraisal && !loop) part.aged_by.push_back(ages_);
-  values_ += count;
-  ++ages_;
-}
-
-void Compiler::reserve() {
-  Controller::Block& block = *controller_.block_;
-  block.now.assign(values_, kMissing);
-  block.ages.assign(ages_, std::numeric_limits<double>::infinity());
-  for (const Part& part : controller_.parts_) {
-    if (part.component_class == ComponentClass::Sensation || part.component_class == ComponentClass::Sensing) continue;
-    for (std::size_t i = 0; i < part.signals.count; ++i) block.now[part.signals.first + i] = 0;
-  }
-  block.ages[command_age_] = 0;
-  const ActFrame safe = make_act_frame(robot_);
-  std::copy(safe.values.begin(), safe.values.end(),
-            block.now.begin() + static_cast<std::ptrdiff_t>(controller_.command_frame_.first));
-  block.ages_before = block.ages;
+Result<Controller> Controller::compile(const ControllerModel& model, const RobotDescription& robot,
+                                       const KindList& kinds, const Identity& identity) {
+  return Compiler(model, robot, kinds, identity).run();
 }
 
 }  // namespace ganglion

@@ -24,16 +24,21 @@ class Compiler {
 
   Result<void> check_limits() const;
   Result<void> make_part(const ComponentModel& model);
+  void join_digest();
+  // compiler_layout.cpp
   void lay_out_signals();
   void lay_out_commands();
   void lay_out_inputs();
   void lay_out_wire(std::size_t index, const PortDescriptor& port, const Source& source);
   void reserve();
+  // compiler_links.cpp
   void connect(std::size_t index);
   void connect_acting(std::size_t index, const Links& links);
   void connect_candidates(std::size_t index);
+  // compiler_requests.cpp
+  void connect_request(std::size_t index, std::size_t port_index);
   void connect_answers();
-  void join_digest();
+
   std::size_t add_signal(const std::string& name, const std::string& unit) {
     controller_.signals_.push_back({name, unit});
     return controller_.signals_.size() - 1;

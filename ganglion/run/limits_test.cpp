@@ -9,7 +9,7 @@
 #include "ganglion/record/mcap/writer.h"
 #include "ganglion/run/check_file.h"
 #include "ganglion/sim/robot/robot_reader.h"
-#include "ganglion/sim/world/plan.h"
+#include "ganglion/sim/world/plan/plan.h"
 
 // Files of absurd size come to a quick end, with the limit in the message. What lies just within is accepted elsewhere:
 // by the tests of each reader.

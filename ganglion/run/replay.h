@@ -1,11 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 
-#include "ganglion/config/value.h"
-#include "ganglion/record/csv.h"
-#include "ganglion/run/prepared.h"
+#include "ganglion/base/result.h"
 
 namespace ganglion {
 
@@ -23,11 +23,5 @@ struct ReplayResult {
 /// Runs a recorded run again from its own input files, and compares bit for bit. Fails where the file cannot be read or
 /// its inputs are not accepted by this program any more.
 Result<ReplayResult> replay_run(const std::filesystem::path& run_file);
-
-/// Feeds recorded sensations to a controller, open loop: columns `time_s`, optional `cost`, and the ids of sensations
-/// ("position.x" where there are several values; absent = NaN). Gives `time_s`, every command as "command.channel", and
-/// for each coordinator "id.active", the winner's id or "". Fails with located problems.
-Result<std::string> replay_open_loop(const std::filesystem::path& controller, const std::filesystem::path& inputs,
-                                     Problems& problems);
 
 }  // namespace ganglion

@@ -1,10 +1,14 @@
+#include "ganglion/run/replay_open_loop.h"
+
 #include <algorithm>
-#include <limits>
+#include <cmath>
+#include <optional>
 
 #include "ganglion/base/text.h"
 #include "ganglion/graph/controller.h"
 #include "ganglion/kinds/kinds.h"
-#include "ganglion/run/replay.h"
+#include "ganglion/record/csv.h"
+#include "ganglion/sim/robot/robot_model.h"
 
 namespace ganglion {
 namespace {

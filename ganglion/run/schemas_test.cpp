@@ -11,8 +11,8 @@
 #include "ganglion/run/experiment.h"
 #include "ganglion/run/experiment_schema.h"
 #include "ganglion/sim/robot/robot_schema.h"
-#include "ganglion/sim/world/plan.h"
-#include "ganglion/sim/world/world_schema.h"
+#include "ganglion/sim/world/plan/plan.h"
+#include "ganglion/sim/world/plan/world_schema.h"
 
 // Schemas of all files people edit, held beside the readers and the files that we ship.
 namespace ganglion {

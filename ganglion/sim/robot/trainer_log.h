@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "ganglion/module/command.h"
-#include "ganglion/sim/world/cell_grid.h"
+#include "ganglion/sim/world/way/cell_grid.h"
 
 namespace ganglion::sim {
 

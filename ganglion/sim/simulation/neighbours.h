@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "ganglion/sim/world/shape.h"
+#include "ganglion/sim/world/shape/shape.h"
 
 namespace ganglion::sim {
 

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "ganglion/sim/world/free_space.h"
+#include "ganglion/sim/world/way/free_space.h"
 #include "ganglion/sim/world/world.h"
 
 namespace ganglion::sim {

@@ -10,10 +10,10 @@
 #include "ganglion/base/result.h"
 #include "ganglion/config/value.h"
 #include "ganglion/sim/world/findings.h"
-#include "ganglion/sim/world/near_surfaces.h"
-#include "ganglion/sim/world/plan.h"
-#include "ganglion/sim/world/surface_grid.h"
-#include "ganglion/sim/world/sweep.h"
+#include "ganglion/sim/world/plan/plan.h"
+#include "ganglion/sim/world/ray/near_surfaces.h"
+#include "ganglion/sim/world/ray/surface_grid.h"
+#include "ganglion/sim/world/ray/sweep.h"
 
 namespace ganglion::sim {
 

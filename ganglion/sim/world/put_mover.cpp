@@ -1,7 +1,7 @@
 // Movers of a World that somebody puts elsewhere while it runs.
 #include <array>
 
-#include "ganglion/sim/world/ray.h"
+#include "ganglion/sim/world/ray/ray.h"
 #include "ganglion/sim/world/world.h"
 
 namespace ganglion::sim {

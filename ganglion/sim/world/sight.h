@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "ganglion/sim/world/near_surfaces.h"
-#include "ganglion/sim/world/ray_fan.h"
+#include "ganglion/sim/world/ray/near_surfaces.h"
+#include "ganglion/sim/world/ray/ray_fan.h"
 #include "ganglion/sim/world/world.h"
 
 namespace ganglion::sim {

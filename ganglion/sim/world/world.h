@@ -10,7 +10,7 @@
 #include "ganglion/base/result.h"
 #include "ganglion/geometry/pose2.h"
 #include "ganglion/sim/world/ground.h"
-#include "ganglion/sim/world/sweep.h"
+#include "ganglion/sim/world/ray/sweep.h"
 
 namespace ganglion::sim {
 

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ganglion/config/source/tolerant.h"
 #include "ganglion/graph/order.h"
 #include "ganglion/kinds/kinds.h"
 #include "ganglion/sim/robot/robot_model.h"
-#include "ganglion/studio/document/tolerant.h"
+#include "ganglion/studio/document/component_lists.h"
 
 namespace ganglion::studio {
 namespace {
@@ -67,18 +68,16 @@ struct Owner {
 /// What stands on the lines of the text, by its first line.
 std::map<int, Owner> owners_of(const Drawing& drawing) {
   std::map<int, Owner> owners;
-  for (const SectionSource& section : drawing.map.sections) {
+  for (const config::SectionSource& section : drawing.map.sections) {
     if (section.line > 0) owners[section.line] = {};
-    for (const MemberSource& member : section.members) owners[member.line] = {"", member.key};
+    for (const config::MemberSource& member : section.members) owners[member.line] = {"", member.key};
   }
-  for (const ComponentSource& source : drawing.sources) {
+  for (const config::ItemSource& source : drawing.sources) {
     for (const std::size_t index : source.sections) {
-      const SectionSource& section = drawing.map.sections[index];
-      const std::string prefix = index == source.sections.front()
-                                     ? std::string()
-                                     : section.name.substr(source.component_class.size() + 1) + ".";
+      const config::SectionSource& section = drawing.map.sections[index];
+      const std::string prefix = source.prefix(drawing.map, index);
       owners[section.line] = {source.id, ""};
-      for (const MemberSource& member : section.members) {
+      for (const config::MemberSource& member : section.members) {
         Owner& owner = owners[member.line];
         if (!member.inline_key.empty() && !owner.component.empty()) continue;
         owner = {source.id, member.key == "id" ? "" : prefix + member.key};
@@ -116,10 +115,10 @@ void assign(Drawing& drawing, const Problems& problems) {
 
 Drawing open_drawing(std::string_view text, const DocumentPlace& place) {
   Drawing drawing;
-  drawing.map = map_source(text);
-  drawing.sources = components_of(drawing.map, text);
+  drawing.map = config::map_source(text);
+  drawing.sources = config::items_of(drawing.map, text, kComponentLists);
   Problems problems;
-  const config::Value root = parse_tolerantly(text, drawing.map, place.file.string(), problems);
+  const config::Value root = config::parse_tolerantly(text, drawing.map, place.file.string(), problems);
   drawing.unresolved = read_controller(root, controller_kinds(), problems);
   read_layout(root, drawing);
   std::error_code error;

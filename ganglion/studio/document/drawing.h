@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "ganglion/application/description.h"
+#include "ganglion/config/source/source_map.h"
 #include "ganglion/descriptor/language.h"
 #include "ganglion/graph/model.h"
-#include "ganglion/studio/document/source_map.h"
 
 namespace ganglion::studio {
 
@@ -29,8 +29,8 @@ struct DrawingProblem {
 
 /// A controller's text, understood as far as it can be.
 struct Drawing {
-  SourceMap map;
-  std::vector<ComponentSource> sources;
+  config::SourceMap map;
+  std::vector<config::ItemSource> sources;
   ControllerModel unresolved;  ///< As the file says it.
   ControllerModel model;       ///< Held against the robot, where one is known.
   std::optional<RobotDescription> robot;

@@ -119,15 +119,14 @@ void write_outputs(JsonText& json, const ComponentModel& component) {
 /// Every key of a component with its place, those of sub-sections included.
 struct Key {
   std::string name;
-  const MemberSource* member;
+  const config::MemberSource* member;
 };
-std::vector<Key> keys_of(const Drawing& drawing, const ComponentSource& source) {
+std::vector<Key> keys_of(const Drawing& drawing, const config::ItemSource& source) {
   std::vector<Key> keys;
   for (const std::size_t index : source.sections) {
-    const SectionSource& section = drawing.map.sections[index];
-    const std::string prefix =
-        index == source.sections.front() ? "" : section.name.substr(source.component_class.size() + 1) + ".";
-    for (const MemberSource& member : section.members) keys.push_back({prefix + member.key, &member});
+    const config::SectionSource& section = drawing.map.sections[index];
+    const std::string prefix = source.prefix(drawing.map, index);
+    for (const config::MemberSource& member : section.members) keys.push_back({prefix + member.key, &member});
   }
   return keys;
 }
@@ -145,7 +144,7 @@ class ComponentWriter {
 
   void write() {
     json_.key("components").begin_list();
-    for (const ComponentSource& source : drawing_.sources) {
+    for (const config::ItemSource& source : drawing_.sources) {
       const ComponentModel* model = model_of(source);
       if (model != nullptr) {
         write_understood(*model, &source);
@@ -161,9 +160,9 @@ class ComponentWriter {
   }
 
  private:
-  const ComponentModel* model_of(const ComponentSource& source) const {
-    const SectionSource& section = drawing_.map.sections[source.sections.front()];
-    const MemberSource* id = section.member("id");
+  const ComponentModel* model_of(const config::ItemSource& source) const {
+    const config::SectionSource& section = drawing_.map.sections[source.sections.front()];
+    const config::MemberSource* id = section.member("id");
     const auto found = by_line_.find(id != nullptr ? id->line : section.line);
     return found != by_line_.end() ? found->second : nullptr;
   }
@@ -180,7 +179,7 @@ class ComponentWriter {
     }
   }
 
-  void write_understood(const ComponentModel& component, const ComponentSource* source) {
+  void write_understood(const ComponentModel& component, const config::ItemSource* source) {
     const Descriptor* kind = component.descriptor;
     write_head(component.id, name_of(component.component_class), kind != nullptr ? kind->name : "",
                component.place.line, source != nullptr);
@@ -222,17 +221,17 @@ class ComponentWriter {
   }
 
   /// Of an unknown kind: its wires as they stand, all else as text.
-  void write_misread(const ComponentSource& source) {
+  void write_misread(const config::ItemSource& source) {
     const std::vector<Key> keys = keys_of(drawing_, source);
     const auto kind = std::find_if(keys.begin(), keys.end(), [](const Key& key) { return key.name == "kind"; });
-    write_head(source.id, source.component_class, kind != keys.end() ? unquoted(kind->member->value.of(text_)) : "",
+    write_head(source.id, source.list, kind != keys.end() ? config::unquoted(kind->member->value.of(text_)) : "",
                drawing_.map.sections[source.sections.front()].line, true);
     json_.member("channel", "").member("command", "").key("inputs").begin_list();
     for (const Key& key : keys) {
       if (!key.name.starts_with("in.")) continue;
       json_.begin_object().member("port", key.name.substr(3)).key("wires").begin_list();
-      for (const Region& one : strings_in(text_, key.member->value)) {
-        write_wire(json_, unquoted(one.of(text_)), key.member->line, 0, false);
+      for (const config::Region& one : config::strings_in(text_, key.member->value)) {
+        write_wire(json_, config::unquoted(one.of(text_)), key.member->line, 0, false);
       }
       json_.end_list().end_object();
     }

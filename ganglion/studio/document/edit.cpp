@@ -5,6 +5,7 @@
 
 #include "ganglion/base/text.h"
 #include "ganglion/config/format.h"
+#include "ganglion/studio/document/component_lists.h"
 #include "ganglion/studio/document/operations.h"
 
 namespace ganglion::studio {
@@ -29,7 +30,7 @@ constexpr std::array kOperations = {Named{"add", add_component},
 constexpr std::size_t kMostBytes = std::size_t{64} << 20;
 constexpr std::size_t kMostText = std::size_t{8} << 20;
 
-Result<void> carry_out(Sheet& sheet, const Json& what, std::vector<std::string>& ids) {
+Result<void> carry_out(config::Sheet& sheet, const Json& what, std::vector<std::string>& ids) {
   const auto name = text_in(what, "op");
   if (!name) return tl::unexpected<Error>(name.error());
   std::vector<std::string> names;
@@ -44,7 +45,7 @@ Result<void> carry_out(Sheet& sheet, const Json& what, std::vector<std::string>&
 
 Result<Edited> edit(std::string_view text, const Json& operations) {
   if (!operations.is_array()) return fail(ErrorCode::BadType, "operations must be a list");
-  Sheet sheet{std::string(text)};
+  config::Sheet sheet(std::string(text), kComponentLists);
   Edited edited;
   std::size_t bytes = 0;
   for (std::size_t i = 0; i < operations.size(); ++i) {
@@ -69,10 +70,10 @@ Result<std::string> text_in(const Json& what, const char* key) {
   return fail(ErrorCode::BadType, "\"{}\" must be a text", key);
 }
 
-Result<const ComponentSource*> component_in(const Sheet& sheet, const Json& what) {
+Result<const config::ItemSource*> component_in(const config::Sheet& sheet, const Json& what) {
   const auto id = text_in(what, "id");
   if (!id) return tl::unexpected<Error>(id.error());
-  const ComponentSource* found = sheet.find(*id);
+  const config::ItemSource* found = sheet.find(*id);
   if (found == nullptr)
     return fail(ErrorCode::UnknownKey, "there is no component \"{}\"{}", *id, suggestion(*id, sheet.ids()));
   return found;
@@ -82,7 +83,7 @@ Result<std::string> toml_of(const Json& value) {
   if (value.is_boolean()) return std::string(value.get<bool>() ? "true" : "false");
   if (value.is_number_integer()) return value.dump();
   if (value.is_number() && std::isfinite(value.get<double>())) return shortest(value.get<double>());
-  if (value.is_string()) return toml_text(value.get<std::string>());
+  if (value.is_string()) return config::toml_text(value.get<std::string>());
   if (!value.is_array()) return fail(ErrorCode::BadType, "a value must be a number, a text, true or false, or a list");
   std::string list;
   for (const Json& item : value) {

@@ -1,25 +1,24 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <unordered_map>
 
 #include "ganglion/base/text.h"
+#include "ganglion/studio/document/component_lists.h"
 #include "ganglion/studio/document/operations.h"
 
 namespace ganglion::studio {
 namespace {
 
-constexpr std::array<std::string_view, 5> kClassOrder = {"sensation", "sensing", "goal", "acting", "coordinator"};
-
 std::size_t rank(std::string_view name) noexcept {
-  return static_cast<std::size_t>(std::find(kClassOrder.begin(), kClassOrder.end(), name) - kClassOrder.begin());
+  return static_cast<std::size_t>(std::find(kComponentLists.begin(), kComponentLists.end(), name) -
+                                  kComponentLists.begin());
 }
 
 /// Where a component of the class goes: behind the last of its class, or of those before it.
-std::size_t place_for(const Sheet& sheet, std::string_view component_class) {
+std::size_t place_for(const config::Sheet& sheet, std::string_view component_class) {
   std::size_t at = sheet.map().sections.front().body_end;
-  for (const ComponentSource& component : sheet.components()) {
-    if (rank(component.component_class) > rank(component_class)) continue;
+  for (const config::ItemSource& component : sheet.items()) {
+    if (rank(component.list) > rank(component_class)) continue;
     for (const std::size_t index : component.sections) at = std::max(at, sheet.map().sections[index].body_end);
   }
   return at;
@@ -54,7 +53,7 @@ Result<std::string> key_in(const Json& what, std::string_view id) {
   return key;
 }
 
-Result<std::string> owner_in(const Sheet& sheet, const Json& what) {
+Result<std::string> owner_in(const config::Sheet& sheet, const Json& what) {
   auto id = text_in(what, "id");
   if (!id || id->empty()) return id;
   const auto component = component_in(sheet, what);
@@ -62,7 +61,7 @@ Result<std::string> owner_in(const Sheet& sheet, const Json& what) {
   return id;
 }
 
-std::string separated(const Sheet& sheet, std::size_t at, const std::string& block) {
+std::string separated(const config::Sheet& sheet, std::size_t at, const std::string& block) {
   const bool open_line = at > 0 && sheet.text()[at - 1] != '\n';
   return (open_line ? "\n\n" : "\n") + block;
 }
@@ -78,14 +77,14 @@ Result<std::string> position_of(const Json& value) {
   return fmt::format("[{}, {}]", std::lround(x), std::lround(y));
 }
 
-void place_boxes(Sheet& sheet, const std::vector<std::pair<std::string, std::string>>& positions) {
+void place_boxes(config::Sheet& sheet, const std::vector<std::pair<std::string, std::string>>& positions) {
   const auto& sections = sheet.map().sections;
-  const auto layout = std::find_if(sections.begin(), sections.end(), [](const SectionSource& section) {
+  const auto layout = std::find_if(sections.begin(), sections.end(), [](const config::SectionSource& section) {
     return section.name == "layout" && !section.list;
   });
-  std::unordered_map<std::string_view, const MemberSource*> boxes;
+  std::unordered_map<std::string_view, const config::MemberSource*> boxes;
   if (layout != sections.end()) {
-    for (const MemberSource& box : layout->members) boxes.try_emplace(box.key, &box);
+    for (const config::MemberSource& box : layout->members) boxes.try_emplace(box.key, &box);
   }
   std::string fresh;
   for (const auto& [id, position] : positions) {
@@ -105,10 +104,10 @@ void place_boxes(Sheet& sheet, const std::vector<std::pair<std::string, std::str
   }
 }
 
-Result<void> add_component(Sheet& sheet, const Json& what, std::vector<std::string>& ids) {
+Result<void> add_component(config::Sheet& sheet, const Json& what, std::vector<std::string>& ids) {
   const auto component_class = text_in(what, "class");
   if (!component_class) return tl::unexpected<Error>(component_class.error());
-  if (rank(*component_class) == kClassOrder.size()) {
+  if (rank(*component_class) == kComponentLists.size()) {
     return fail(ErrorCode::UnknownKey, "there is no class \"{}\"", *component_class);
   }
   const bool sensation = *component_class == "sensation";
@@ -127,8 +126,8 @@ Result<void> add_component(Sheet& sheet, const Json& what, std::vector<std::stri
     wanted = *given;
   }
   const std::string id = sheet.free_id(wanted);
-  std::string block = fmt::format("[[{}]]\nid = {}\n", *component_class, toml_text(id));
-  if (!sensation) block += fmt::format("kind = {}\n", toml_text(kind));
+  std::string block = fmt::format("[[{}]]\nid = {}\n", *component_class, config::toml_text(id));
+  if (!sensation) block += fmt::format("kind = {}\n", config::toml_text(kind));
   for (const auto& [key, value] : set.items()) {
     const auto toml = toml_of(value);
     if (!toml) return tl::unexpected<Error>(toml.error());
@@ -148,7 +147,7 @@ Result<void> add_component(Sheet& sheet, const Json& what, std::vector<std::stri
   return {};
 }
 
-Result<void> set_member(Sheet& sheet, const Json& what, std::vector<std::string>&) {
+Result<void> set_member(config::Sheet& sheet, const Json& what, std::vector<std::string>&) {
   const auto id = owner_in(sheet, what);
   if (!id) return tl::unexpected<Error>(id.error());
   const auto key = key_in(what, *id);
@@ -160,7 +159,7 @@ Result<void> set_member(Sheet& sheet, const Json& what, std::vector<std::string>
   return {};
 }
 
-Result<void> unset_member(Sheet& sheet, const Json& what, std::vector<std::string>&) {
+Result<void> unset_member(config::Sheet& sheet, const Json& what, std::vector<std::string>&) {
   const auto id = owner_in(sheet, what);
   if (!id) return tl::unexpected<Error>(id.error());
   const auto key = key_in(what, *id);
@@ -171,7 +170,7 @@ Result<void> unset_member(Sheet& sheet, const Json& what, std::vector<std::strin
   return {};
 }
 
-Result<void> move(Sheet& sheet, const Json& what, std::vector<std::string>&) {
+Result<void> move(config::Sheet& sheet, const Json& what, std::vector<std::string>&) {
   const auto positions = what.find("positions");
   if (positions == what.end() || !positions->is_object()) {
     return fail(ErrorCode::BadType, "\"positions\" must be an object");
@@ -190,20 +189,20 @@ Result<void> move(Sheet& sheet, const Json& what, std::vector<std::string>&) {
 }
 
 Result<std::string> copy(std::string_view text, const std::vector<std::string>& ids) {
-  const Sheet sheet{std::string(text)};
+  const config::Sheet sheet(std::string(text), kComponentLists);
   std::unordered_map<std::string_view, std::string> boxes;
-  for (const SectionSource& section : sheet.map().sections) {
+  for (const config::SectionSource& section : sheet.map().sections) {
     if (section.name != "layout") continue;
-    for (const MemberSource& box : section.members) boxes[box.key] += box.lines.of(sheet.text());
+    for (const config::MemberSource& box : section.members) boxes[box.key] += box.lines.of(sheet.text());
   }
   std::string result, layout;
   for (const std::string& id : ids) {
     const auto component = component_in(sheet, Json{{"id", id}});
     if (!component) return tl::unexpected<Error>(component.error());
     for (const std::size_t index : (*component)->sections) {
-      const SectionSource& section = sheet.map().sections[index];
-      result +=
-          fmt::format("{}{}", result.empty() ? "" : "\n", Region{section.begin, section.body_end}.of(sheet.text()));
+      const config::SectionSource& section = sheet.map().sections[index];
+      result += fmt::format("{}{}", result.empty() ? "" : "\n",
+                            config::Region{section.begin, section.body_end}.of(sheet.text()));
     }
     if (const auto box = boxes.find(id); box != boxes.end()) layout += box->second;
   }

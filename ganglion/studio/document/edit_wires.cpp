@@ -8,14 +8,14 @@ namespace ganglion::studio {
 namespace {
 
 /// Whether a port takes a list of wires: as its kind says, or, where that is unknown, as it stands in the file.
-bool takes_many(const Sheet& sheet, const ComponentSource& component, const std::string& port) {
+bool takes_many(const config::Sheet& sheet, const config::ItemSource& component, const std::string& port) {
   const auto found = sheet.member(component.id, "in." + port);
   const bool list = found && found->member->value.of(sheet.text()).starts_with('[');
   const auto kind = sheet.member(component.id, "kind");
   if (!kind) return list;
-  const std::string name = unquoted(kind->member->value.of(sheet.text()));
+  const std::string name = config::unquoted(kind->member->value.of(sheet.text()));
   for (const Descriptor* descriptor : all_descriptors()) {
-    if (name_of(descriptor->component_class) != component.component_class) continue;
+    if (name_of(descriptor->component_class) != component.list) continue;
     if (descriptor->name != name && (name.empty() || descriptor->paper_name != name)) continue;
     const PortDescriptor* known = descriptor->port(port);
     if (known == nullptr) return list;
@@ -30,7 +30,7 @@ struct Ends {
 };
 
 /// The receiving end; afterwards an inline `in` is written out, so that there is a line for each port.
-Result<Ends> ends_of(Sheet& sheet, const Json& what) {
+Result<Ends> ends_of(config::Sheet& sheet, const Json& what) {
   const auto component = component_in(sheet, what);
   if (!component) return tl::unexpected<Error>(component.error());
   auto port = text_in(what, "port");
@@ -45,7 +45,7 @@ Result<Ends> ends_of(Sheet& sheet, const Json& what) {
 }
 
 /// Takes an item out of a list, with the comma behind or before it; comments stay.
-void take_out(Sheet& sheet, const std::string& text, Region list, Region item) {
+void take_out(config::Sheet& sheet, const std::string& text, config::Region list, config::Region item) {
   std::size_t end = item.end;
   while (end < list.end && (text[end] == ' ' || text[end] == '\t')) ++end;
   if (end < list.end && text[end] == ',') {
@@ -62,7 +62,7 @@ void take_out(Sheet& sheet, const std::string& text, Region list, Region item) {
 
 }  // namespace
 
-Result<void> connect(Sheet& sheet, const Json& what, std::vector<std::string>&) {
+Result<void> connect(config::Sheet& sheet, const Json& what, std::vector<std::string>&) {
   const auto from = text_in(what, "from");
   if (!from) return tl::unexpected<Error>(from.error());
   const auto ends = ends_of(sheet, what);
@@ -71,46 +71,47 @@ Result<void> connect(Sheet& sheet, const Json& what, std::vector<std::string>&) 
   const auto found = sheet.member(ends->id, key);
   const bool many = takes_many(sheet, *sheet.find(ends->id), ends->port);
   if (!many || !found) {
-    sheet.set(ends->id, key, many ? "[" + toml_text(*from) + "]" : toml_text(*from));
+    sheet.set(ends->id, key, many ? "[" + config::toml_text(*from) + "]" : config::toml_text(*from));
     return {};
   }
-  const Region value = found->member->value;
+  const config::Region value = found->member->value;
   const std::string& text = sheet.text();
-  const std::vector<Region> items = strings_in(text, value);
-  for (const Region& item : items) {
-    if (unquoted(item.of(text)) == *from) return fail(ErrorCode::BadWire, "\"{}\" is wired to it already", *from);
+  const std::vector<config::Region> items = config::strings_in(text, value);
+  for (const config::Region& item : items) {
+    if (config::unquoted(item.of(text)) == *from)
+      return fail(ErrorCode::BadWire, "\"{}\" is wired to it already", *from);
   }
   if (!value.of(text).starts_with('[')) {  // a list of one, written without brackets
-    sheet.replace(value, fmt::format("[{}, {}]", value.of(text), toml_text(*from)));
+    sheet.replace(value, fmt::format("[{}, {}]", value.of(text), config::toml_text(*from)));
     return {};
   }
   const auto index = what.find("index");
   const bool between = index != what.end() && index->is_number_unsigned() && index->get<std::size_t>() < items.size();
   if (between) {
-    sheet.insert(items[index->get<std::size_t>()].begin, toml_text(*from) + ", ");
+    sheet.insert(items[index->get<std::size_t>()].begin, config::toml_text(*from) + ", ");
   } else if (items.empty()) {
-    sheet.insert(value.begin + 1, toml_text(*from));
+    sheet.insert(value.begin + 1, config::toml_text(*from));
   } else {
-    sheet.insert(items.back().end, ", " + toml_text(*from));
+    sheet.insert(items.back().end, ", " + config::toml_text(*from));
   }
   return {};
 }
 
-Result<void> disconnect(Sheet& sheet, const Json& what, std::vector<std::string>&) {
+Result<void> disconnect(config::Sheet& sheet, const Json& what, std::vector<std::string>&) {
   const auto ends = ends_of(sheet, what);
   if (!ends) return tl::unexpected<Error>(ends.error());
   const auto found = sheet.member(ends->id, "in." + ends->port);
   if (!found) return fail(ErrorCode::UnknownKey, "{}: input \"{}\" is not wired", ends->id, ends->port);
   const std::string& text = sheet.text();
-  const std::vector<Region> items = strings_in(text, found->member->value);
+  const std::vector<config::Region> items = config::strings_in(text, found->member->value);
   if (!what.contains("from")) {
     sheet.erase(ends->id, *found);
     return {};
   }
   const auto from = text_in(what, "from");
   if (!from) return tl::unexpected<Error>(from.error());
-  const auto item =
-      std::find_if(items.begin(), items.end(), [&](const Region& one) { return unquoted(one.of(text)) == *from; });
+  const auto item = std::find_if(items.begin(), items.end(),
+                                 [&](const config::Region& one) { return config::unquoted(one.of(text)) == *from; });
   if (item == items.end()) {
     return fail(ErrorCode::UnknownKey, "{}: no wire comes from \"{}\" to input \"{}\"", ends->id, *from, ends->port);
   }
@@ -122,27 +123,27 @@ Result<void> disconnect(Sheet& sheet, const Json& what, std::vector<std::string>
   return {};
 }
 
-Result<void> reorder(Sheet& sheet, const Json& what, std::vector<std::string>&) {
+Result<void> reorder(config::Sheet& sheet, const Json& what, std::vector<std::string>&) {
   const auto ends = ends_of(sheet, what);
   if (!ends) return tl::unexpected<Error>(ends.error());
   const auto found = sheet.member(ends->id, "in." + ends->port);
   if (!found) return fail(ErrorCode::UnknownKey, "{}: input \"{}\" is not wired", ends->id, ends->port);
   const std::string& text = sheet.text();
-  const std::vector<Region> items = strings_in(text, found->member->value);
+  const std::vector<config::Region> items = config::strings_in(text, found->member->value);
   std::vector<std::string> now, wanted;
-  for (const Region& item : items) now.push_back(unquoted(item.of(text)));
+  for (const config::Region& item : items) now.push_back(config::unquoted(item.of(text)));
   const auto order = what.find("order");
   if (order == what.end() || !order->is_array()) return fail(ErrorCode::BadType, "\"order\" must be a list of texts");
   for (const Json& one : *order) wanted.push_back(one.is_string() ? one.get<std::string>() : std::string());
   if (!std::is_permutation(now.begin(), now.end(), wanted.begin(), wanted.end())) {
     return fail(ErrorCode::BadParameter, "\"order\" must name the same wires: {}", join(now));
   }
-  for (std::size_t i = 0; i < items.size(); ++i) sheet.replace(items[i], toml_text(wanted[i]));
+  for (std::size_t i = 0; i < items.size(); ++i) sheet.replace(items[i], config::toml_text(wanted[i]));
   return {};
 }
 
 /// Notes the change of every reference: `by` gives what becomes of a wire's text, "" = it goes.
-Result<void> rename_component(Sheet& sheet, const Json& what, std::vector<std::string>& ids) {
+Result<void> rename_component(config::Sheet& sheet, const Json& what, std::vector<std::string>& ids) {
   const auto component = component_in(sheet, what);
   if (!component) return tl::unexpected<Error>(component.error());
   const auto to = text_in(what, "to");
@@ -150,24 +151,24 @@ Result<void> rename_component(Sheet& sheet, const Json& what, std::vector<std::s
   if (auto good = check_id(*to); !good) return good;
   const std::string id = (*component)->id;
   if (*to != id && !sheet.is_free(*to)) return fail(ErrorCode::BadParameter, "\"{}\" is the id of another", *to);
-  sheet.set(id, "id", toml_text(*to));
+  sheet.set(id, "id", config::toml_text(*to));
   const std::string& text = sheet.text();
-  for (const Sheet::Input& input : sheet.inputs()) {
-    for (const Region& item : strings_in(text, input.member->value)) {
-      const std::string wire = unquoted(item.of(text));
-      if (comes_from(wire, id)) sheet.replace(item, toml_text(*to + wire.substr(id.size())));
+  for (const config::Sheet::Entry& input : sheet.entries("in")) {
+    for (const config::Region& item : config::strings_in(text, input.member->value)) {
+      const std::string wire = config::unquoted(item.of(text));
+      if (comes_from(wire, id)) sheet.replace(item, config::toml_text(*to + wire.substr(id.size())));
     }
   }
-  for (const SectionSource& section : sheet.map().sections) {
+  for (const config::SectionSource& section : sheet.map().sections) {
     if (section.name != "layout" || section.list) continue;
-    const MemberSource* box = section.member(id);
+    const config::MemberSource* box = section.member(id);
     if (box != nullptr) sheet.replace(box->lines, fmt::format("{} = {}\n", *to, box->value.of(text)));
   }
   ids.push_back(*to);
   return {};
 }
 
-Result<void> remove_components(Sheet& sheet, const Json& what, std::vector<std::string>&) {
+Result<void> remove_components(config::Sheet& sheet, const Json& what, std::vector<std::string>&) {
   const auto ids = what.find("ids");
   if (ids == what.end() || !ids->is_array()) return fail(ErrorCode::BadType, "\"ids\" must be a list of texts");
   std::vector<std::string> gone;
@@ -180,36 +181,36 @@ Result<void> remove_components(Sheet& sheet, const Json& what, std::vector<std::
   const auto is_gone = [&](std::string_view id) { return std::binary_search(gone.begin(), gone.end(), id); };
   const auto source_of = [](const std::string& wire) { return wire.substr(0, wire.find_first_of(".@")); };
   std::vector<std::string> inlined;
-  for (const Sheet::Input& input : sheet.inputs()) {
-    if (!input.member->inline_key.empty()) inlined.push_back(input.component->id);
+  for (const config::Sheet::Entry& input : sheet.entries("in")) {
+    if (!input.member->inline_key.empty()) inlined.push_back(input.item->id);
   }
   for (const std::string& id : inlined) sheet.expand_inline(id, "in");
   const std::string& text = sheet.text();
-  for (const Sheet::Input& input : sheet.inputs()) {
-    if (is_gone(input.component->id)) continue;
-    const std::vector<Region> items = strings_in(text, input.member->value);
-    std::vector<Region> left;
+  for (const config::Sheet::Entry& input : sheet.entries("in")) {
+    if (is_gone(input.item->id)) continue;
+    const std::vector<config::Region> items = config::strings_in(text, input.member->value);
+    std::vector<config::Region> left;
     std::copy_if(items.begin(), items.end(), std::back_inserter(left),
-                 [&](const Region& item) { return !is_gone(source_of(unquoted(item.of(text)))); });
+                 [&](const config::Region& item) { return !is_gone(source_of(config::unquoted(item.of(text)))); });
     if (left.size() == items.size()) continue;
     if (left.empty()) {
       sheet.replace(input.member->lines, "");
       continue;
     }
-    for (const Region& item : items) {
-      if (is_gone(source_of(unquoted(item.of(text))))) take_out(sheet, text, input.member->value, item);
+    for (const config::Region& item : items) {
+      if (is_gone(source_of(config::unquoted(item.of(text))))) take_out(sheet, text, input.member->value, item);
     }
   }
-  for (const ComponentSource& component : sheet.components()) {
+  for (const config::ItemSource& component : sheet.items()) {
     if (!is_gone(component.id)) continue;
     for (const std::size_t index : component.sections) {
-      const SectionSource& section = sheet.map().sections[index];
+      const config::SectionSource& section = sheet.map().sections[index];
       sheet.replace({section.begin, section.body_end}, "");
     }
   }
-  for (const SectionSource& section : sheet.map().sections) {
+  for (const config::SectionSource& section : sheet.map().sections) {
     if (section.name != "layout" || section.list) continue;
-    for (const MemberSource& box : section.members) {
+    for (const config::MemberSource& box : section.members) {
       if (is_gone(box.key)) sheet.replace(box.lines, "");
     }
   }

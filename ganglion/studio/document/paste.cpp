@@ -2,14 +2,15 @@
 #include <set>
 
 #include "ganglion/config/value.h"
+#include "ganglion/studio/document/component_lists.h"
 #include "ganglion/studio/document/operations.h"
 
 namespace ganglion::studio {
 namespace {
 
 /// The pasted components, renamed where their ids are taken; wires among them follow.
-Result<Sheet> renamed(const Sheet& sheet, const std::string& toml, std::vector<std::string>& ids) {
-  Sheet pasted(toml);
+Result<config::Sheet> renamed(const config::Sheet& sheet, const std::string& toml, std::vector<std::string>& ids) {
+  config::Sheet pasted(toml, kComponentLists);
   std::map<std::string, std::string> names;
   std::set<std::string> taken;
   for (const std::string& id : sheet.ids()) taken.insert(id);
@@ -24,19 +25,19 @@ Result<Sheet> renamed(const Sheet& sheet, const std::string& toml, std::vector<s
   }
   const std::string text = pasted.text();
   for (const auto& [id, name] : names) {
-    if (id != name) pasted.set(id, "id", toml_text(name));
+    if (id != name) pasted.set(id, "id", config::toml_text(name));
   }
-  for (const Sheet::Input& input : pasted.inputs()) {
-    for (const Region& item : strings_in(text, input.member->value)) {
-      const std::string wire = unquoted(item.of(text));
+  for (const config::Sheet::Entry& input : pasted.entries("in")) {
+    for (const config::Region& item : config::strings_in(text, input.member->value)) {
+      const std::string wire = config::unquoted(item.of(text));
       const std::size_t end = std::min(wire.find_first_of(".@"), wire.size());
       const auto found = names.find(wire.substr(0, end));
-      if (found != names.end()) pasted.replace(item, toml_text(found->second + wire.substr(end)));
+      if (found != names.end()) pasted.replace(item, config::toml_text(found->second + wire.substr(end)));
     }
   }
-  for (const SectionSource& section : pasted.map().sections) {
+  for (const config::SectionSource& section : pasted.map().sections) {
     if (section.name != "layout" || section.list) continue;
-    for (const MemberSource& box : section.members) {
+    for (const config::MemberSource& box : section.members) {
       const auto found = names.find(box.key);
       if (found != names.end()) {
         pasted.replace(box.lines, fmt::format("{} = {}\n", found->second, box.value.of(text)));
@@ -53,11 +54,11 @@ double shift_of(const Json& what, std::size_t axis) {
   return (*offset)[axis].get<double>();
 }
 
-Result<std::vector<std::pair<std::string, std::string>>> boxes_of(const Sheet& pasted, const Json& what) {
+Result<std::vector<std::pair<std::string, std::string>>> boxes_of(const config::Sheet& pasted, const Json& what) {
   std::vector<std::pair<std::string, std::string>> boxes;
-  for (const SectionSource& section : pasted.map().sections) {
+  for (const config::SectionSource& section : pasted.map().sections) {
     if (section.name != "layout" || section.list) continue;
-    for (const MemberSource& box : section.members) {
+    for (const config::MemberSource& box : section.members) {
       const Json at = Json::parse(box.value.of(pasted.text()), nullptr, false);
       if (!at.is_array() || at.size() != 2 || !at[0].is_number() || !at[1].is_number()) continue;
       if (pasted.find(box.key) == nullptr) continue;
@@ -72,7 +73,7 @@ Result<std::vector<std::pair<std::string, std::string>>> boxes_of(const Sheet& p
 
 }  // namespace
 
-Result<void> paste(Sheet& sheet, const Json& what, std::vector<std::string>& ids) {
+Result<void> paste(config::Sheet& sheet, const Json& what, std::vector<std::string>& ids) {
   const auto toml = text_in(what, "toml");
   if (!toml) return tl::unexpected<Error>(toml.error());
   if (auto read = config::parse(*toml, "the pasted text"); !read) return tl::unexpected<Error>(read.error());
@@ -83,14 +84,14 @@ Result<void> paste(Sheet& sheet, const Json& what, std::vector<std::string>& ids
   const auto boxes = boxes_of(*pasted, what);
   if (!boxes) return tl::unexpected<Error>(boxes.error());
   std::size_t at = sheet.map().sections.front().body_end;
-  for (const ComponentSource& component : sheet.components()) {
+  for (const config::ItemSource& component : sheet.items()) {
     for (const std::size_t index : component.sections) at = std::max(at, sheet.map().sections[index].body_end);
   }
   std::string block = at > 0 && sheet.text()[at - 1] != '\n' ? "\n" : "";
-  for (const ComponentSource& component : pasted->components()) {
+  for (const config::ItemSource& component : pasted->items()) {
     for (const std::size_t index : component.sections) {
-      const SectionSource& section = pasted->map().sections[index];
-      block += fmt::format("\n{}", Region{section.begin, section.body_end}.of(pasted->text()));
+      const config::SectionSource& section = pasted->map().sections[index];
+      block += fmt::format("\n{}", config::Region{section.begin, section.body_end}.of(pasted->text()));
       if (block.back() != '\n') block += '\n';
     }
   }

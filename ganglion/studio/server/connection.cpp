@@ -5,6 +5,7 @@
 #include <boost/beast/websocket.hpp>
 
 #include "ganglion/base/text.h"
+#include "ganglion/studio/api/query.h"
 #include "ganglion/studio/server/core.h"
 
 namespace ganglion::studio {

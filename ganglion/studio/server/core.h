@@ -6,8 +6,8 @@
 #include <map>
 #include <thread>
 
+#include "ganglion/studio/api/api.h"
 #include "ganglion/studio/live/hub.h"
-#include "ganglion/studio/server/api.h"
 #include "ganglion/studio/server/assets.h"
 #include "ganglion/studio/server/guard.h"
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,10 +47,5 @@ bool same_secret(std::string_view a, std::string_view b) noexcept;
 
 /// 256 bits from the system, as hex digits.
 std::string random_secret();
-
-/// The decoded value of a query's parameter; none where it is not there or badly encoded.
-std::optional<std::string> query_value(std::string_view target, std::string_view name);
-/// "%20" decoded; none where it is badly encoded or holds a zero.
-std::optional<std::string> percent_decoded(std::string_view text);
 
 }  // namespace ganglion::studio

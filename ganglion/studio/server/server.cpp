@@ -138,10 +138,8 @@ Result<std::unique_ptr<Server>> Server::start(const ServerOptions& options) {
   hooks.on_hub = [&shared](std::function<void(Hub&)> what) {
     asio::post(shared.io, [&shared, what = std::move(what)] { what(shared.hub); });
   };
-  hooks.later = [&shared](std::function<void(Api&)> what) {
-    asio::post(shared.worker, [&shared, what = std::move(what)] { what(*shared.api); });
-  };
-  shared.api = std::make_unique<Api>(std::move(*folder), std::move(programs), std::move(hooks));
+  hooks.later = [&shared](std::function<void()> what) { asio::post(shared.worker, std::move(what)); };
+  shared.api = std::make_unique<Api>(std::move(*folder), std::move(programs), hooks);
   return std::unique_ptr<Server>(new Server(std::move(core)));
 }
 

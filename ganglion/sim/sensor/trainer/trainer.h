@@ -6,7 +6,7 @@
 
 #include "ganglion/sim/robot/sensor.h"
 #include "ganglion/sim/robot/trainer_log.h"
-#include "ganglion/sim/world/steered_way.h"
+#include "ganglion/sim/world/way/steered_way.h"
 
 namespace ganglion::sim {
 

@@ -1,0 +1,22 @@
+#include "ganglion/studio/api/reply.h"
+
+#include "ganglion/studio/document/wording.h"
+
+namespace ganglion::studio {
+
+Reply failure(std::string_view code, std::string_view message, unsigned status, const Json& arguments) {
+  Reply reply = json_reply({{"error", {{"code", code}, {"message", message}, {"arguments", arguments}}}});
+  reply.status = status;
+  return reply;
+}
+
+Reply failure(const Error& error, Language language, const Json& arguments) {
+  unsigned status = 400;
+  if (error.code == ErrorCode::NotFound) status = 404;
+  if (error.code == ErrorCode::TooLarge) status = 413;
+  if (error.code == ErrorCode::Unreadable) status = 422;  // there, but no file: a folder, a pipe
+  if (error.code == ErrorCode::Unwritable) status = 507;  // the disk is full, or not ours to write
+  return failure(name_of(error.code), worded(error.message, language), status, arguments);
+}
+
+}  // namespace ganglion::studio

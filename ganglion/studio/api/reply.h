@@ -1,0 +1,27 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+#include "ganglion/base/result.h"
+#include "ganglion/descriptor/language.h"
+#include "ganglion/studio/live/messages.h"
+
+namespace ganglion::studio {
+
+/// What is sent back.
+struct Reply {
+  unsigned status = 200;
+  std::string type = "application/json";
+  std::string body;
+  bool sandboxed = false;  ///< A page that came from a file: it may run its own scripts, and reach nothing here.
+};
+
+inline Reply json_reply(const Json& json) { return {200, "application/json", dumped(json)}; }
+
+/// A failure in words and code; the status follows from the code where none is given.
+Reply failure(std::string_view code, std::string_view message, unsigned status, const Json& arguments = Json::object());
+Reply failure(const Error& error, Language language, const Json& arguments = Json::object());
+
+}  // namespace ganglion::studio

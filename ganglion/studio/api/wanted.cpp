@@ -1,0 +1,156 @@
+#include "ganglion/studio/api/wanted.h"
+
+#include <algorithm>
+#include <array>
+
+#include "ganglion/base/text.h"
+#include "ganglion/config/source/source_map.h"
+#include "ganglion/studio/document/wording.h"
+
+namespace ganglion::studio {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Keys by which --set could name files or programs: these have fields of their own, which are checked.
+constexpr std::array<std::string_view, 6> kNotSet = {"controller",        "application",         "application.robot",
+                                                     "application.world", "application.program", "application.address"};
+constexpr std::string_view kNotListed = "the studio starts only programs that are listed in your own studio.toml";
+
+Json problems_json(const Problems& problems, Language language) {
+  Json list = Json::array();
+  for (const Error& error : problems.sorted()) {
+    list.push_back({{"code", name_of(error.code)},
+                    {"message", worded(error.message, language)},
+                    {"file", fs::path(error.place.file).filename().string()},
+                    {"line", error.place.line},
+                    {"column", error.place.column}});
+  }
+  return list;
+}
+
+Reply problems_reply(const Problems& problems, Language language) {
+  const auto sorted = problems.sorted();
+  return failure("BadParameter", sorted.empty() ? "" : worded(sorted.front().message, language), 400,
+                 {{"problems", problems_json(problems, language)}});
+}
+
+}  // namespace
+
+Result<link::Address> allowed_address(const std::string& text) {
+  constexpr std::string_view kSerial = "/dev/tty";
+  auto address = link::parse_address(text);
+  if (!address || address->kind != link::Address::Kind::Serial) return address;
+  const bool terminal =
+      address->device.starts_with(kSerial) && address->device.find('/', kSerial.size()) == std::string::npos;
+  if (!terminal) return fail(ErrorCode::BadParameter, "a serial address must lead to /dev/tty...");
+  return address;
+}
+
+Result<void> WantedReader::read_files(const Ask& ask, Wanted& wanted) const {
+  const auto experiment = folder_.resolve(ask.text("experiment"));
+  if (!experiment) return tl::unexpected<Error>(experiment.error());
+  wanted.experiment = *experiment;
+  for (const auto& [key, file] : {std::pair{"world", &wanted.instead.world}, {"robot", &wanted.instead.robot}}) {
+    if (!ask.has(key)) continue;
+    const auto path = folder_.resolve(ask.text(key));
+    if (!path) return tl::unexpected<Error>(path.error());
+    *file = *path;
+  }
+  if (!ask.has("controller")) return {};
+  const Json& controller = ask.body["controller"];
+  const auto path = folder_.resolve(controller.is_object() ? controller.value("path", "") : "");
+  if (!path) return tl::unexpected<Error>(path.error());
+  wanted.instead.controller = *path;
+  if (!controller.contains("text") || !controller["text"].is_string()) return {};
+  wanted.drawn = std::make_shared<const DrawnFile>(*path, controller["text"].get<std::string>());
+  wanted.instead.controller = wanted.drawn->path();
+  return wanted.drawn->write();
+}
+
+std::optional<Reply> WantedReader::read_sets(const Ask& ask, Wanted& wanted) const {
+  for (const Json& one : ask.body.value("set", Json::array())) {
+    const auto set = config::parse_override(one.is_string() ? one.get<std::string>() : std::string());
+    if (!set) return failure(set.error(), ask.language);
+    if (std::find(kNotSet.begin(), kNotSet.end(), set->path) != kNotSet.end()) {
+      return ask.refuse("Forbidden", fmt::format("{} cannot be set so", set->path), 403);
+    }
+    wanted.overrides.push_back(*set);
+  }
+  if (ask.has("duration_s")) wanted.overrides.push_back({"run.duration_s", shortest(ask.number("duration_s", 60))});
+  return std::nullopt;
+}
+
+/// Where the robot is: an address, "" for the simulation, or a listed program. One of them takes the others' place.
+std::optional<Reply> WantedReader::read_application(const Ask& ask, Wanted& wanted) const {
+  if (!ask.has("address") && !ask.has("program")) return std::nullopt;
+  if (ask.has("address") && ask.has("program")) {
+    return ask.refuse("BadParameter", "give either an address or a program", 400);
+  }
+  std::string address, command;
+  if (ask.has("address") && !ask.text("address").empty()) {
+    const auto allowed = allowed_address(ask.text("address"));
+    if (!allowed) return ask.refuse("Forbidden", allowed.error().message, 403);
+    address = wanted.link.address = allowed->text;
+  }
+  if (ask.has("program")) {
+    const auto program = std::find_if(programs_.begin(), programs_.end(),
+                                      [&](const AllowedProgram& one) { return one.name == ask.text("program"); });
+    if (program == programs_.end()) {
+      return ask.refuse("ProgramNotListed", kNotListed, 403, {{"program", ask.text("program")}});
+    }
+    wanted.link.program = program->command;
+    for (const std::string& word : program->command) command += (command.empty() ? "" : ", ") + config::toml_text(word);
+  }
+  wanted.overrides.push_back({"application.address", config::toml_text(address)});
+  wanted.overrides.push_back({"application.program", "[" + command + "]"});
+  return std::nullopt;
+}
+
+std::optional<Reply> WantedReader::read_wanted(const Ask& ask, Wanted& wanted) const {
+  if (const auto read = read_files(ask, wanted); !read) return failure(read.error(), ask.language);
+  if (auto refused = read_sets(ask, wanted)) return refused;
+  return read_application(ask, wanted);
+}
+
+/// Nothing is read outside of the folder, and no program started but those the user lists.
+std::optional<Reply> WantedReader::refuse_experiment(const Experiment& experiment, const std::vector<fs::path>& files,
+                                                     const Ask& ask) const {
+  const LinkChoice& link = experiment.link;
+  const bool listed = link.program.empty() || std::any_of(programs_.begin(), programs_.end(),
+                                                          [&](const auto& one) { return one.command == link.program; });
+  if (!listed) {
+    return ask.refuse("ProgramNotListed", kNotListed, 403, {{"program", link.program.front()}});
+  }
+  if (!link.address.empty()) {
+    if (const auto allowed = allowed_address(link.address); !allowed) {
+      return ask.refuse("Forbidden", allowed.error().message, 403);
+    }
+  }
+  for (const fs::path& file : files) {
+    if (file.empty() || folder_.holds(file)) continue;
+    return ask.refuse("Outside", "the experiment names a file outside of the studio's folder", 403,
+                      {{"file", file.filename().string()}});
+  }
+  return std::nullopt;
+}
+
+std::optional<Reply> WantedReader::read_experiment_of(const Wanted& wanted, const Ask& ask,
+                                                      Experiment& experiment) const {
+  Problems problems;
+  experiment = read_experiment(wanted.experiment, wanted.overrides, problems, wanted.instead);
+  const ExperimentFiles& files = experiment.files;
+  return refuse_experiment(experiment, {files.controller, files.robot, files.world}, ask);
+}
+
+std::optional<Reply> WantedReader::prepare_wanted(const Wanted& wanted, const Ask& ask,
+                                                  std::optional<Prepared>& prepared) const {
+  Experiment named;
+  if (auto refused = read_experiment_of(wanted, ask, named)) return refused;
+  Problems problems;
+  prepared = prepare(wanted.experiment, wanted.overrides, problems, wanted.instead);
+  if (!prepared) return problems_reply(problems, ask.language);
+  return refuse_experiment(prepared->experiment, input_files(prepared->experiment.files), ask);
+}
+
+}  // namespace ganglion::studio
