@@ -23,8 +23,7 @@ struct ActingLinks {
 ///
 /// Source    "A growing functional modules locomotion subsystem", section 1, figure 2 and Algorithm 1.
 /// Differs   One pass of the paper's inner loop is a tick; satisfaction is found by settle(), before the goals decide,
-/// so
-///           that a hand-over wastes no tick; a behaviour in the sense of Brooks is a module without a request port.
+///           so that a hand-over wastes no tick; a behaviour in the sense of Brooks is a module without a request port.
 class ActingModule : public Component {
  public:
   void join(const ActingLinks& links) noexcept { joints_ = links; }
