@@ -3,7 +3,7 @@
 #include "ganglion/link/controller/remote_application.h"
 #include "ganglion/link/net/lines.h"
 #include "ganglion/link/net/program.h"
-#include "ganglion/record/test_folder.h"
+#include "ganglion/base/testing/folder.h"
 #include "ganglion/run/run.h"
 
 // The example of clients/c, as it would run on a board, emulated: its serial line is a socket.

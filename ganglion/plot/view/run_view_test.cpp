@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ganglion/plot/sample/sample_run.h"
+#include "ganglion/plot/testing/sample_run.h"
 
 namespace ganglion::plot {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-#include "ganglion/sim/robot/testing.h"
+#include "ganglion/sim/robot/testing/stage.h"
 
 namespace ganglion::sim {
 namespace {
