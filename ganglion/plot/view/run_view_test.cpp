@@ -74,12 +74,5 @@ TEST(Bounds, AreOfSomeSizeForARunOfNothing) {
   EXPECT_LT(bounds.lower.y, bounds.upper.y);
 }
 
-TEST(ActiveName, IsEmptyWhereNobodyDrives) {
-  const RunView run = sample_behaviour_run(1, 10);
-  const Coordination& arbiter = run.robots[0].coordinations[0];
-  EXPECT_EQ(active_name(arbiter, 0), "");
-  EXPECT_EQ(active_name(arbiter, 10), "navigate");
-}
-
 }  // namespace
 }  // namespace ganglion::plot
