@@ -34,7 +34,7 @@ class ActingModule : public Component {
 
   /// Upward sweep: adds up what the last command cost and finds the request satisfied or not.
   /// `frame_cost` is the application's; a module above others sees the sum of theirs instead.
-  void settle(const Tick& tick, std::optional<double> frame_cost) noexcept;
+  void settle(std::optional<double> frame_cost) noexcept;
   /// True while the last command is still being carried out below: this tick has no cycle.
   bool waits() const noexcept;
   /// Downward sweep: the paper's cycle. Sends the command below, or leaves it in command() for others to fetch.
