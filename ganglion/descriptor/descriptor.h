@@ -47,8 +47,8 @@ struct PortDescriptor {
   int size = 1;
   std::span<const std::string_view> elements{};  ///< Names of the values where there are several, else empty.
   bool required = true;                          ///< Inputs: whether a controller must wire it.
-  bool many =
-      false;  ///< Input: takes a list of wires. Output: one value for each wire of the component's `many` input.
+  /// Input: takes a list of wires. Output: one value for each wire of the component's `many` input.
+  bool many = false;
   Text help{};
 };
 
@@ -72,8 +72,7 @@ struct ParameterDescriptor {
   bool ours = false;  ///< Not given by the source: our reconstruction, to be labelled so wherever it is shown.
 };
 
-/// What a kind says of itself. The loader, messages, JSON Schema, palette, forms, manual and exporter all derive from
-/// it.
+/// What a kind says of itself. The loader, messages, JSON Schema, palette, forms, manual and exporter derive from it.
 struct Descriptor {
   ComponentClass component_class = ComponentClass::Acting;
   std::string_view name;             ///< As written after `kind =`.
@@ -87,8 +86,7 @@ struct Descriptor {
   const ParameterDescriptor* parameter(std::string_view parameter_name) const noexcept;
 };
 
-/// Outputs that every component of a class has besides its own: of acting modules `active`, `status`
-/// and `reason`.
+/// Outputs that every component of a class has besides its own: of acting modules `active`, `status` and `reason`.
 std::span<const PortDescriptor> common_outputs(ComponentClass) noexcept;
 
 }  // namespace ganglion

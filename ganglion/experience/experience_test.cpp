@@ -8,9 +8,9 @@
 #include <random>
 
 #include "ganglion/base/file.h"
+#include "ganglion/base/testing/folder.h"
 #include "ganglion/experience/store.h"
 #include "ganglion/experience/writer.h"
-#include "ganglion/record/test_folder.h"
 
 namespace ganglion {
 namespace {

@@ -8,8 +8,7 @@
 namespace ganglion {
 namespace {
 
-using testing::Rig;
-using testing::sensations;
+using testing::Rig, testing::seeker, testing::sensations, testing::wish;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
@@ -98,27 +97,9 @@ TEST(Commands, WithdrawnAreSafeAndGiveTheReason) {
 
 /// Upper on lower on `move`; the upper one gives up at once where a = 5, and both serve one wish.
 std::string pair_of_seekers() {
-  return sensations({"place", "a"}) + R"([[goal]]
-id = "wish"
-kind = "Wish"
-in.wish = "a"
-replaces = true
-[[acting]]
-id = "upper"
-kind = "Seeker"
-in.goal = "wish"
-in.place = "place"
-tolerance = 0
-give_up_at = 5
-[[acting]]
-id = "lower"
-kind = "Seeker"
-in.goal = "upper"
-in.place = "place"
-tolerance = 0
-relative = true
-command = "move"
-)";
+  return sensations({"place", "a"}) + wish("wish", "in.wish = \"a\"\nreplaces = true") +
+         seeker("upper", "wish", "tolerance = 0\ngive_up_at = 5") +
+         seeker("lower", "upper", "tolerance = 0\nrelative = true\ncommand = \"move\"");
 }
 
 TEST(Commands, StayWithdrawnUntilANewRequestAndSayWhyTheTopGaveUp) {

@@ -23,7 +23,7 @@ void Controller::tick(const SenseFrame& frame, double step_s, ActFrame& act) noe
     Part& part = parts_[static_cast<std::size_t>(index)];
     gather(part);
     const bool through = part.charged_by >= 0;
-    part.acting->settle(tick, through ? parts_[static_cast<std::size_t>(part.charged_by)].acting->last_cost() : cost);
+    part.acting->settle(through ? parts_[static_cast<std::size_t>(part.charged_by)].acting->last_cost() : cost);
   }
   run_goals(tick);
   run_acting(tick);

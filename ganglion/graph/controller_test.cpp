@@ -8,22 +8,14 @@
 namespace ganglion {
 namespace {
 
-using testing::Rig;
-using testing::sensations;
+using testing::first, testing::gain, testing::puppet, testing::Rig, testing::seeker, testing::sensations, testing::wish;
 
-const std::string kSeeker = R"([[goal]]
-id = "wish"
-kind = "Wish"
-values = [9]
-[[acting]]
-id = "seeker"
-kind = "Seeker"
-in.goal = "wish"
-in.place = "place"
-tolerance = 0
-relative = true
-command = "move"
-)";
+std::string steady_seeker(std::string_view settings) {
+  return sensations({"place"}) + wish("wish", "values = [9]") +
+         seeker("seeker", "wish", "tolerance = 0\nrelative = true\n" + std::string(settings));
+}
+
+const std::string kSeeker = steady_seeker("command = \"move\"");
 
 TEST(Controller, OfNoComponentsSendsSafeValues) {
   Rig rig("");
@@ -36,7 +28,7 @@ TEST(Controller, OfNoComponentsSendsSafeValues) {
 }
 
 TEST(Controller, GoesOnWhereItWasAfterItIsMoved) {
-  Rig rig(sensations({"place"}) + kSeeker);
+  Rig rig(kSeeker);
   rig.tick();
   Controller moved = std::move(rig.controller);
   Rig other("");
@@ -51,18 +43,8 @@ TEST(Controller, GoesOnWhereItWasAfterItIsMoved) {
 
 /// Every class of component, wires of every sort, a hierarchy behind a coordinator.
 std::string everything() {
-  return sensations({"place", "a", "b", "pair"}) + kSeeker.substr(0, kSeeker.find("command")) + R"(
-[[acting]]
-id = "puppet"
-kind = "Puppet"
-in.act = "a"
-in.value = "b"
-[[coordinator]]
-id = "arbiter"
-kind = "First"
-in.commands = ["puppet", "seeker"]
-command = "move"
-[[sensing]]
+  return steady_seeker("") + sensations({"a", "b", "pair"}) + puppet("puppet", "a", "b") +
+         first("arbiter", R"("puppet", "seeker")", "command = \"move\"") + R"([[sensing]]
 id = "surprise"
 kind = "Surprise"
 in.in = "place"
@@ -92,7 +74,7 @@ TEST(Controller, AllocatesNothingInATick) {
 }
 
 TEST(Controller, GrowsBetweenTicksOnly) {
-  Rig rig(sensations({"place"}) + kSeeker);
+  Rig rig(kSeeker);
   for (int i = 0; i < 10; ++i) {
     ++rig.sense.tick;
     rig.controller.tick(rig.sense, 0.1, rig.act);
@@ -104,7 +86,7 @@ TEST(Controller, GrowsBetweenTicksOnly) {
 }
 
 TEST(Controller, NamesTheComponentWhoseKindRefusesItsParameters) {
-  EXPECT_EQ(testing::problems_of(sensations({"place"}) + kSeeker + "stride = 0"),
+  EXPECT_EQ(testing::problems_of(steady_seeker("command = \"move\"\nstride = 0")),
             "controller.toml:10:6: seeker: stride is 0, must be another number\n");
 }
 
@@ -137,7 +119,7 @@ TEST(Controller, IsRefusedWhereItsInputsAreBeyondAllMeasure) {
   RobotDescription robot = testing::test_robot();
   for (int i = 0; i < 300'000; ++i) robot.sensations[3].elements.push_back(std::to_string(i));
   std::string text = "[[sensation]]\nid = \"s\"\nchannel = \"pair\"\n";
-  for (int i = 0; i < 100; ++i) text += fmt::format("[[goal]]\nid = \"g{}\"\nkind = \"Wish\"\nin.wish = \"s\"\n", i);
+  for (int i = 0; i < 100; ++i) text += wish(fmt::format("g{}", i), "in.wish = \"s\"");
   Problems problems;
   EXPECT_FALSE(testing::compiled(text, problems, robot));
   EXPECT_NE(problems.text().find("the limit is 1048576"), std::string::npos) << problems.text();
@@ -145,18 +127,14 @@ TEST(Controller, IsRefusedWhereItsInputsAreBeyondAllMeasure) {
 
 /// A list of a thousand percepts one from the other and a hundred Puppets under one coordinator.
 TEST(Controller, OfAThousandComponentsWorksAsAnyOther) {
-  std::string text = sensations({"a", "b"}) + "[[sensing]]\nid = \"n0\"\nkind = \"Gain\"\nin.in = \"a\"\n";
-  for (int i = 1; i < 900; ++i) {
-    text += fmt::format("[[sensing]]\nid = \"n{}\"\nkind = \"Gain\"\nin.in = \"n{}\"\n", i, i - 1);
-  }
+  std::string text = sensations({"a", "b"}) + gain("n0", "a");
+  for (int i = 1; i < 900; ++i) text += gain(fmt::format("n{}", i), fmt::format("n{}", i - 1));
   std::string list;
   for (int i = 0; i < 100; ++i) {
-    text += fmt::format("[[acting]]\nid = \"p{}\"\nkind = \"Puppet\"\nin.act = \"{}\"\nin.value = \"n899\"\n", i,
-                        i == 99 ? "b" : "b.age_s");
+    text += puppet(fmt::format("p{}", i), i == 99 ? "b" : "b.age_s", "n899");
     list += fmt::format("\"p{}\", ", i);
   }
-  text += "[[coordinator]]\nid = \"arbiter\"\nkind = \"First\"\nin.commands = [" + list + "]\ncommand = \"move\"\n";
-  Rig rig(text);
+  Rig rig(text + first("arbiter", list, "command = \"move\""));
   rig.set("a", 5);
   rig.set("b", 1);
   rig.tick();

@@ -5,19 +5,7 @@
 namespace ganglion {
 namespace {
 
-using testing::Rig;
-using testing::sensations;
-
-/// A Puppet whose behaviour is `act` and whose command is `value`, both sensations.
-std::string puppet(std::string_view id, std::string_view act, std::string_view value) {
-  return fmt::format("[[acting]]\nid = \"{}\"\nkind = \"Puppet\"\nin.act = \"{}\"\nin.value = \"{}\"\n", id, act,
-                     value);
-}
-
-std::string first(std::string_view id, std::string_view candidates, std::string_view settings = "") {
-  return fmt::format("[[coordinator]]\nid = \"{}\"\nkind = \"First\"\nin.commands = [{}]\n{}\n", id, candidates,
-                     settings);
-}
+using testing::first, testing::puppet, testing::Rig, testing::seeker, testing::sensations, testing::wish;
 
 /// Two puppets compete for `move`: `a` and `b` say whether they act, `c` and `d` what they command.
 std::string competition(std::string_view settings = "") {
@@ -106,15 +94,8 @@ TEST(Coordinator, GrantsThroughCoordinatorsOfCoordinators) {
 
 /// The winner's command is a request to a Seeker that walks 1 m a tick on `move`.
 std::string request_by_arbiter(std::string_view settings = "") {
-  return sensations({"a", "b", "c", "d", "place"}) + R"([[acting]]
-id = "lower"
-kind = "Seeker"
-in.goal = "arbiter"
-in.place = "place"
-tolerance = 0
-relative = true
-command = "move"
-)" + std::string(settings) +
+  return sensations({"a", "b", "c", "d", "place"}) +
+         seeker("lower", "arbiter", "tolerance = 0\nrelative = true\ncommand = \"move\"") + std::string(settings) +
          "\n" + first("arbiter", R"("one", "two")") + puppet("one", "a", "c") + puppet("two", "b", "d");
 }
 
@@ -154,13 +135,7 @@ TEST(Coordinator, OfRequestsChargesItsCandidatesWhatTheModuleBelowPays) {
 TEST(Coordinator, OfRequestsChargesNothingWhileTheModuleBelowIsOverruled) {
   // The seeker competes with an alarm for `move`, and what the alarm costs is nobody else's.
   Rig rig(sensations({"a", "b", "c", "d", "place"}) + first("top", R"("one")") + puppet("one", "a", "c") +
-          R"([[acting]]
-id = "lower"
-kind = "Seeker"
-in.goal = "top"
-in.place = "place"
-tolerance = 0
-)" + puppet("alarm", "b", "d") +
+          seeker("lower", "top", "tolerance = 0") + puppet("alarm", "b", "d") +
           first("bottom", R"("alarm", "lower")", "command = \"move\""));
   rig.set("a", 1);
   rig.set("b", 1);
@@ -174,30 +149,9 @@ tolerance = 0
 
 TEST(Coordinator, OfRequestsTellsTheCandidateWhatBecameOfIt) {
   // The candidate is a Seeker itself, so that it shows what it is told.
-  Rig rig(sensations({"place"}) + R"([[goal]]
-id = "wish"
-kind = "Wish"
-values = [9]
-[[acting]]
-id = "upper"
-kind = "Seeker"
-in.goal = "wish"
-in.place = "place"
-tolerance = 0
-[[coordinator]]
-id = "arbiter"
-kind = "First"
-in.commands = ["upper"]
-[[acting]]
-id = "lower"
-kind = "Seeker"
-in.goal = "arbiter"
-in.place = "place"
-tolerance = 0
-give_up_at = 2
-relative = true
-command = "move"
-)");
+  Rig rig(sensations({"place"}) + wish("wish", "values = [9]") + seeker("upper", "wish", "tolerance = 0") +
+          first("arbiter", "\"upper\"") +
+          seeker("lower", "arbiter", "tolerance = 0\ngive_up_at = 2\nrelative = true\ncommand = \"move\""));
   rig.tick();
   rig.set("place", 1);
   rig.tick();
@@ -213,11 +167,7 @@ command = "move"
 
 /// An acting module that commands two values.
 std::string walker() {
-  return sensations({"cell", "place"}) + R"([[goal]]
-id = "wish"
-kind = "Wish"
-values = [1, 2]
-[[acting]]
+  return sensations({"cell", "place"}) + wish("wish", "values = [1, 2]") + R"([[acting]]
 id = "walker"
 kind = "Walker"
 in.goal = "wish"

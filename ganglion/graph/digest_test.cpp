@@ -11,28 +11,12 @@
 namespace ganglion {
 namespace {
 
-using testing::Rig;
-using testing::sensations;
+using testing::gain, testing::Rig, testing::seeker, testing::sensations, testing::wish;
 
-std::string gain(std::string_view id, std::string_view in) {
-  return fmt::format("[[sensing]]\nid = \"{}\"\nkind = \"Gain\"\nin.in = \"{}\"\ngain = 3.0\n", id, in);
-}
+const std::string kNoise = "[[sensing]]\nid = \"noise\"\nkind = \"Noise\"\n";
 
-constexpr std::string_view kNoise = "[[sensing]]\nid = \"noise\"\nkind = \"Noise\"\n";
-
-constexpr std::string_view kSeeker = R"([[goal]]
-id = "wish"
-kind = "Wish"
-values = [4]
-[[acting]]
-id = "seeker"
-kind = "Seeker"
-in.goal = "wish"
-in.place = "place"
-stride = 0.125
-relative = true
-command = "move"
-)";
+const std::string kSeeker =
+    wish("wish", "values = [4]") + seeker("seeker", "wish", "stride = 0.125\nrelative = true\ncommand = \"move\"");
 
 /// Ten ticks of a run in which the robot moves as it is told.
 void run(Rig& rig) {
@@ -49,22 +33,19 @@ Rig after(const std::string& text, const Identity& identity = {}) {
   return rig;
 }
 
-std::string whole() {
-  return sensations({"place", "a"}) + gain("three", "a") + std::string(kNoise) + std::string(kSeeker);
-}
+std::string whole() { return sensations({"place", "a"}) + gain("three", "a", 3) + kNoise + kSeeker; }
 
 TEST(Digest, IsTheSameForTheSameRun) {
   EXPECT_EQ(after(whole()).controller.digest().total(), after(whole()).controller.digest().total());
 }
 
 TEST(Digest, DoesNotDependOnTheOrderOfTheFile) {
-  const std::string turned =
-      std::string(kSeeker) + std::string(kNoise) + gain("three", "a") + sensations({"a", "place"});
+  const std::string turned = kSeeker + kNoise + gain("three", "a", 3) + sensations({"a", "place"});
   EXPECT_EQ(after(whole()).controller.digest().total(), after(turned).controller.digest().total());
 }
 
 TEST(Digest, OfAComponentDoesNotDependOnUnrelatedOnes) {
-  const Rig with = after(whole() + gain("more", "place"));
+  const Rig with = after(whole() + gain("more", "place", 3));
   const Rig without = after(whole());
   for (const char* id : {"place", "a", "three", "noise", "wish", "seeker"}) {
     EXPECT_EQ(with.digest(id), without.digest(id)) << id;

@@ -5,27 +5,11 @@
 namespace ganglion {
 namespace {
 
-using testing::Rig;
-using testing::sensations;
+using testing::Rig, testing::seeker, testing::sensations, testing::wish;
 
 /// Two Seekers, which remember their steps; sensations and goals have nothing to remember.
-const std::string kLearners = sensations({"place"}) + R"([[goal]]
-id = "wish"
-kind = "Wish"
-values = [9]
-[[acting]]
-id = "upper"
-kind = "Seeker"
-in.goal = "wish"
-in.place = "place"
-[[acting]]
-id = "lower"
-kind = "Seeker"
-in.goal = "upper"
-in.place = "place"
-relative = true
-command = "move"
-)";
+const std::string kLearners = sensations({"place"}) + wish("wish", "values = [9]") + seeker("upper", "wish") +
+                              seeker("lower", "upper", "relative = true\ncommand = \"move\"");
 
 Rig experienced() {
   Rig rig(kLearners);

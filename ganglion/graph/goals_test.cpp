@@ -7,14 +7,9 @@
 namespace ganglion {
 namespace {
 
-using testing::Rig;
-using testing::sensations;
+using testing::Rig, testing::sensations, testing::wish;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-std::string wish(std::string_view id, std::string_view settings) {
-  return fmt::format("[[goal]]\nid = \"{}\"\nkind = \"Wish\"\n{}\n", id, settings);
-}
 
 /// Sensations place, a, b, c, d, the goals given, and a Seeker that jumps to the goal that `goals` lists decide on.
 std::string contest(std::string_view goals, std::string_view list, std::string_view settings = "") {

@@ -5,38 +5,16 @@
 namespace ganglion {
 namespace {
 
-using testing::Rig;
-using testing::sensations;
+using testing::Rig, testing::seeker, testing::sensations, testing::wish;
+
+/// Of a module that goes to its goal exactly, by steps that it commands.
+const std::string kStep = "tolerance = 0\nrelative = true\ncommand = \"move\"\n";
 
 /// Top to middle to bottom: strides of 2, 1 and 0.5 m; the bottom one commands steps, which the tests carry out.
 std::string three_levels(std::string_view goal = "values = [4]", std::string_view bottom = "") {
-  return sensations({"place", "a", "b"}) + "[[goal]]\nid = \"wish\"\nkind = \"Wish\"\n" + std::string(goal) + R"(
-[[acting]]
-id = "bottom"
-kind = "Seeker"
-in.goal = "middle"
-in.place = "place"
-tolerance = 0
-stride = 0.5
-relative = true
-command = "move"
-)" + std::string(bottom) +
-         R"(
-[[acting]]
-id = "middle"
-kind = "Seeker"
-in.goal = "top"
-in.place = "place"
-tolerance = 0
-stride = 1
-[[acting]]
-id = "top"
-kind = "Seeker"
-in.goal = "wish"
-in.place = "place"
-tolerance = 0
-stride = 2
-)";
+  return sensations({"place", "a", "b"}) + wish("wish", goal) +
+         seeker("bottom", "middle", kStep + "stride = 0.5\n" + std::string(bottom)) +
+         seeker("middle", "top", "tolerance = 0\nstride = 1") + seeker("top", "wish", "tolerance = 0\nstride = 2");
 }
 
 /// Carries the last step out, at a cost of 1 J for each metre.
@@ -112,28 +90,8 @@ std::string content_middle(std::string_view goal) {
 }
 
 TEST(Hierarchy, StopsWhatIsUnderWayBelowWhenTheRequestEndsAbove) {
-  Rig rig(sensations({"place", "a"}) + R"([[goal]]
-id = "wish"
-kind = "Wish"
-in.wanted = "a"
-values = [1.5]
-[[acting]]
-id = "upper"
-kind = "Seeker"
-in.goal = "wish"
-in.place = "place"
-tolerance = 0.6
-stride = 2
-[[acting]]
-id = "lower"
-kind = "Seeker"
-in.goal = "upper"
-in.place = "place"
-tolerance = 0
-stride = 0.5
-relative = true
-command = "move"
-)");
+  Rig rig(sensations({"place", "a"}) + wish("wish", "in.wanted = \"a\"\nvalues = [1.5]") +
+          seeker("upper", "wish", "tolerance = 0.6\nstride = 2") + seeker("lower", "upper", kStep + "stride = 0.5"));
   rig.set("a", 1);
   rig.tick();
   rig.set("a", 0);

@@ -10,8 +10,7 @@
 namespace ganglion {
 namespace {
 
-using testing::Rig;
-using testing::sensations;
+using testing::first, testing::puppet, testing::Rig, testing::seeker, testing::sensations, testing::wish;
 
 /// Any double: whatever 64 bits there are, and more often those that hurt.
 rc::Gen<double> any_double() {
@@ -24,52 +23,17 @@ rc::Gen<double> any_double() {
 
 /// Commands on all three channels: straight, by a coordinator, and from a hierarchy with goals of every temper.
 std::string everything() {
-  return sensations({"place", "a", "b", "c", "d", "pair", "heading"}) + R"([[goal]]
-id = "trainer"
-kind = "Wish"
-in.wish = "c"
-in.strength = "d"
-replaces = true
-[[goal]]
-id = "alarm"
-kind = "Wish"
-in.wish = "place"
-in.wanted = "a"
-class = 1
-[[acting]]
+  return sensations({"place", "a", "b", "c", "d", "pair", "heading"}) +
+         wish("trainer", "in.wish = \"c\"\nin.strength = \"d\"\nreplaces = true") +
+         wish("alarm", "in.wish = \"place\"\nin.wanted = \"a\"\nclass = 1") + wish("turn", "in.wish = \"b\"") +
+         seeker("lower", "upper", "relative = true") + puppet("puppet", "a", "b", "in.ttl_s = \"c\"") +
+         first("arbiter", R"("puppet", "lower")", "command = \"move\"") +
+         puppet("driver", "a", "pair", "in.ttl_s = \"d\"\ncommand = \"drive\"") + R"([[acting]]
 id = "upper"
 kind = "Seeker"
 in.goal = ["trainer", "alarm"]
 in.place = "place"
 give_up_at = 3
-[[acting]]
-id = "lower"
-kind = "Seeker"
-in.goal = "upper"
-in.place = "place"
-relative = true
-[[acting]]
-id = "puppet"
-kind = "Puppet"
-in.act = "a"
-in.value = "b"
-in.ttl_s = "c"
-[[coordinator]]
-id = "arbiter"
-kind = "First"
-in.commands = ["puppet", "lower"]
-command = "move"
-[[acting]]
-id = "driver"
-kind = "Puppet"
-in.act = "a"
-in.value = "pair"
-in.ttl_s = "d"
-command = "drive"
-[[goal]]
-id = "turn"
-kind = "Wish"
-in.wish = "b"
 [[acting]]
 id = "turner"
 kind = "Turner"

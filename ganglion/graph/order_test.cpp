@@ -9,7 +9,7 @@
 namespace ganglion {
 namespace {
 
-using testing::sensations;
+using testing::gain, testing::seeker, testing::sensations;
 
 /// The ids in the order of a schedule's list.
 std::vector<std::string> names(const ControllerModel& model, const std::vector<int>& order) {
@@ -27,16 +27,7 @@ ControllerModel model_of(const std::string& text) {
   return model;
 }
 
-std::string gain(std::string_view id, std::string_view in) {
-  return fmt::format("[[sensing]]\nid = \"{}\"\nkind = \"Gain\"\nin.in = \"{}\"\n", id, in);
-}
-
-std::string seeker(std::string_view id, std::string_view goal, std::string_view settings = "") {
-  return fmt::format("[[acting]]\nid = \"{}\"\nkind = \"Seeker\"\nin.goal = \"{}\"\nin.place = \"place\"\n{}\n", id,
-                     goal, settings);
-}
-
-const std::string kWish = "[[goal]]\nid = \"wish\"\nkind = \"Wish\"\nvalues = [1]\n";
+const std::string kWish = testing::wish("wish", "values = [1]");
 
 TEST(Order, RunsUpperModulesFirstDownwardsAndLowerOnesFirstUpwards) {
   const ControllerModel model = model_of(sensations({"place"}) + seeker("low", "middle", "command = \"move\"") +

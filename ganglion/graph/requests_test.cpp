@@ -7,26 +7,15 @@
 namespace ganglion {
 namespace {
 
-using testing::Rig;
-using testing::sensations;
+using testing::Rig, testing::seeker, testing::sensations, testing::wish;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kPending = 1, kSatisfied = 2;
 
 /// A Seeker that jumps straight to its goal, which is whatever sensation `a` says.
 std::string one_seeker(std::string_view settings = "") {
-  return sensations({"place", "a"}) + R"([[goal]]
-id = "wish"
-kind = "Wish"
-in.wish = "a"
-[[acting]]
-id = "seeker"
-kind = "Seeker"
-in.goal = "wish"
-in.place = "place"
-stride = 100
-command = "move"
-)" + std::string(settings);
+  return sensations({"place", "a"}) + wish("wish", "in.wish = \"a\"") +
+         seeker("seeker", "wish", "stride = 100\ncommand = \"move\"\n" + std::string(settings));
 }
 
 TEST(Request, IsLatchedUntilItIsSatisfied) {
@@ -65,11 +54,7 @@ TEST(Request, IsSatisfiedWithinItsOwnTolerance) {
 }
 
 TEST(Request, OfTurnsIsComparedRoundTheCircle) {
-  Rig rig(sensations({"heading"}) + R"([[goal]]
-id = "wish"
-kind = "Wish"
-values = [3.1]
-[[acting]]
+  Rig rig(sensations({"heading"}) + wish("wish", "values = [3.1]") + R"([[acting]]
 id = "turner"
 kind = "Turner"
 in.goal = "wish"
@@ -138,19 +123,14 @@ TEST(Request, OfMetresIsSatisfiedWithinFiveCentimetresUnlessToldOtherwise) {
   EXPECT_EQ(rig.signal("wish.satisfied"), 1);
 }
 
+/// A Seeker that is asked for 4 m while `a` is above 0.
+std::string asked_at_times(std::string_view command) {
+  return sensations({"place", "a"}) + wish("wish", "in.wanted = \"a\"\nvalues = [4]") +
+         seeker("seeker", "wish", command);
+}
+
 TEST(Request, LeavesAModuleInactiveWhileNothingIsAsked) {
-  Rig rig(sensations({"place", "a"}) + R"([[goal]]
-id = "wish"
-kind = "Wish"
-in.wanted = "a"
-values = [4]
-[[acting]]
-id = "seeker"
-kind = "Seeker"
-in.goal = "wish"
-in.place = "place"
-command = "grip"
-)");
+  Rig rig(asked_at_times("command = \"grip\""));
   rig.tick(2);
   EXPECT_EQ(rig.signal("seeker.cycles"), 0);
   EXPECT_EQ(rig.signal("seeker.active"), 0);
@@ -160,18 +140,7 @@ command = "grip"
 }
 
 TEST(Request, KeepsItsStatusAfterSatisfactionForOnlookers) {
-  Rig rig(sensations({"place", "a"}) + R"([[goal]]
-id = "wish"
-kind = "Wish"
-in.wanted = "a"
-values = [4]
-[[acting]]
-id = "seeker"
-kind = "Seeker"
-in.goal = "wish"
-in.place = "place"
-command = "move"
-)");
+  Rig rig(asked_at_times("command = \"move\""));
   rig.set("a", 1);
   rig.tick();
   rig.set("a", 0);

@@ -8,15 +8,10 @@
 namespace ganglion {
 namespace {
 
-using testing::Rig;
-using testing::sensations;
+using testing::gain, testing::puppet, testing::Rig, testing::seeker, testing::sensations, testing::wish;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
-
-std::string gain(std::string_view id, std::string_view in, double factor = 1) {
-  return fmt::format("[[sensing]]\nid = \"{}\"\nkind = \"Gain\"\nin.in = \"{}\"\ngain = {:.1f}\n", id, in, factor);
-}
 
 TEST(Wires, CarryPerceptsInTheirOrderWhateverTheOrderOfTheFile) {
   Rig rig(gain("third", "second", 5) + gain("first", "a", 2) + gain("second", "first", 3) + sensations({"a"}));
@@ -37,19 +32,9 @@ TEST(Wires, MarkedPreviousCarryTheValueOfTheTickBefore) {
   EXPECT_EQ(rig.signal("late.out"), 1);
 }
 
-/// A puppet on `move` that does what `a` says with the value `b`, and more text.
-std::string puppet(std::string_view more) {
-  return sensations({"a", "b", "place"}) + R"([[acting]]
-id = "puppet"
-kind = "Puppet"
-in.act = "a"
-in.value = "b"
-command = "move"
-)" + std::string(more);
-}
-
 TEST(Wires, ReadTheLastCommandFrame) {
-  Rig rig(puppet(gain("echo", "move.x@previous") + gain("force", "grip@previous")));
+  Rig rig(sensations({"a", "b"}) + puppet("puppet", "a", "b", "command = \"move\"") + gain("echo", "move.x@previous") +
+          gain("force", "grip@previous"));
   rig.tick();
   EXPECT_EQ(rig.signal("echo.out"), 0);
   EXPECT_EQ(rig.signal("force.out"), 2);  // safe
@@ -129,17 +114,8 @@ TEST(Ages, OfAPerceptDoNotGrowByItsOwnMemory) {
 }
 
 TEST(Ages, OfAPerceptDoNotDependOnWhatWasExpected) {
-  Rig rig(sensations({"place"}) + R"([[goal]]
-id = "wish"
-kind = "Wish"
-values = [5]
-[[acting]]
-id = "seeker"
-kind = "Seeker"
-in.goal = "wish"
-in.place = "place"
-command = "move"
-[[sensing]]
+  Rig rig(sensations({"place"}) + wish("wish", "values = [5]") + seeker("seeker", "wish", "command = \"move\"") +
+          R"([[sensing]]
 id = "surprise"
 kind = "Surprise"
 in.in = "place"
@@ -151,19 +127,9 @@ in.expected = "seeker.expected"
 }
 
 TEST(Ages, OfSignalsOfGoalsAndActingModulesAreZeroInTheirTick) {
-  Rig rig(sensations({"a"}) + R"([[goal]]
-id = "wish"
-kind = "Wish"
-in.wanted = "a"
-values = [5]
-[[acting]]
-id = "seeker"
-kind = "Seeker"
-in.goal = "wish"
-in.place = "place"
-command = "move"
-)" + sensations({"place"}) +
-          age_of("of_goal", "wish.bids@previous") + age_of("of_acting", "seeker.cycles@previous"));
+  Rig rig(sensations({"a", "place"}) + wish("wish", "in.wanted = \"a\"\nvalues = [5]") +
+          seeker("seeker", "wish", "command = \"move\"") + age_of("of_goal", "wish.bids@previous") +
+          age_of("of_acting", "seeker.cycles@previous"));
   rig.tick(2);
   EXPECT_DOUBLE_EQ(rig.signal("of_goal.out"), 0.1);
   EXPECT_DOUBLE_EQ(rig.signal("of_acting.out"), 0.1);
@@ -175,18 +141,8 @@ id = "surprise"
 kind = "Surprise"
 in.in = "place"
 in.expected = "seeker.expected"
-[[goal]]
-id = "wish"
-kind = "Wish"
-values = [5]
-[[acting]]
-id = "seeker"
-kind = "Seeker"
-in.goal = "wish"
-in.place = "place"
-relative = true
-command = "move"
-)");
+)" + wish("wish", "values = [5]") +
+          seeker("seeker", "wish", "relative = true\ncommand = \"move\""));
   rig.set("place", 2);
   rig.tick();
   EXPECT_TRUE(std::isnan(rig.signal("surprise.heard")));  // nobody expected anything of the first frame
@@ -221,17 +177,14 @@ in.in = "pair"
 id = "metres"
 kind = "Copy"
 in.in = "place"
-[[goal]]
-id = "wish"
-kind = "Wish"
-values = [5]
 [[acting]]
 id = "seeker"
 kind = "Seeker"
 in.goal = "wish"
 in.place = "metres"
 command = "move"
-)" + gain("half", "second.out.y"));
+)" + wish("wish", "values = [5]") +
+          gain("half", "second.out.y"));
   rig.set("pair", {3, 4});
   rig.tick();
   EXPECT_EQ(rig.signal("second.out.x"), 3);

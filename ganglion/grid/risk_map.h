@@ -32,8 +32,7 @@ enum class FailureCause : std::uint8_t {
 /// The ground as experience has it: which cells were entered, which failed, how likely each can be crossed.
 ///
 /// Memory   tiles added by grow_around() between ticks, at most max_tiles; nothing else allocates. Once the map is
-/// full,
-///          cells outside it are not to be entered.
+///          full, cells outside it are not to be entered.
 /// Ticks    are whatever the caller counts, ever upwards.
 /// Source   "A growing functional modules locomotion subsystem", Methodology 1b; numbers ours, see RiskRule.
 class RiskMap {

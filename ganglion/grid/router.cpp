@@ -56,7 +56,6 @@ void Router::begin_search() noexcept {
   open_.clear();
   route_.clear();
   cost_ = kNever;
-  expansions_ = 0;
 }
 
 Router::Outcome Router::find(const Pricing& pricing, CellIndex start, int heading, CellIndex goal) noexcept {
@@ -70,7 +69,6 @@ Router::Outcome Router::find(const Pricing& pricing, CellIndex start, int headin
   open_.push(start_state, 0);
   while (!open_.empty()) {
     const std::uint32_t state = open_.pop();
-    ++expansions_;
     if (cell_of(state) == last) {
       cost_ = states_[state].cost;
       trace(start_state, state);

@@ -45,8 +45,6 @@ class Router {
   std::span<const RouteStep> route() const noexcept { return route_; }
   /// Its cost in cells of straight way, backward steps weighed.
   double cost() const noexcept { return static_cast<double>(cost_) / kStraightUnits; }
-  /// States that left the open list in the last search.
-  std::uint32_t expansions() const noexcept { return expansions_; }
   const RouterRule& rule() const noexcept { return rule_; }
 
  private:
@@ -68,7 +66,6 @@ class Router {
   std::vector<RouteStep> route_;
   std::uint64_t backward_extra_;  ///< What a backward step costs more, in 1/256 of its length.
   std::uint32_t cost_ = kNever;
-  std::uint32_t expansions_ = 0;
   std::uint16_t search_ = 0;
 };
 

@@ -5,7 +5,7 @@
 
 namespace ganglion {
 
-void ActingModule::settle(const Tick&, std::optional<double> frame_cost) noexcept {
+void ActingModule::settle(std::optional<double> frame_cost) noexcept {
   last_cost_ = std::nullopt;
   if (joints_.below == nullptr) {
     if (granted_ && command_.kind == CommandKind::Act) last_cost_ = frame_cost;

@@ -23,8 +23,7 @@ struct ActingLinks {
 ///
 /// Source    "A growing functional modules locomotion subsystem", section 1, figure 2 and Algorithm 1.
 /// Differs   One pass of the paper's inner loop is a tick; satisfaction is found by settle(), before the goals decide,
-/// so
-///           that a hand-over wastes no tick; a behaviour in the sense of Brooks is a module without a request port.
+///           so that a hand-over wastes no tick; a behaviour in the sense of Brooks is a module without a request port.
 class ActingModule : public Component {
  public:
   void join(const ActingLinks& links) noexcept { joints_ = links; }
@@ -35,7 +34,7 @@ class ActingModule : public Component {
 
   /// Upward sweep: adds up what the last command cost and finds the request satisfied or not.
   /// `frame_cost` is the application's; a module above others sees the sum of theirs instead.
-  void settle(const Tick& tick, std::optional<double> frame_cost) noexcept;
+  void settle(std::optional<double> frame_cost) noexcept;
   /// True while the last command is still being carried out below: this tick has no cycle.
   bool waits() const noexcept;
   /// Downward sweep: the paper's cycle. Sends the command below, or leaves it in command() for others to fetch.

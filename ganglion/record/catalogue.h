@@ -38,8 +38,8 @@ struct RunFilter {
   std::optional<std::uint64_t> seed;
   std::optional<std::string> controller_hash;
   std::optional<bool> success;
-  std::string sort_by =
-      "recorded";          ///< recorded, file, name, seed, episode, success, digest, or the name of a measure.
+  /// recorded, file, name, seed, episode, success, digest, or the name of a measure.
+  std::string sort_by = "recorded";
   bool descending = true;  ///< Runs without the measure come last either way.
   std::size_t limit = 1000;
 };

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "ganglion/record/test_folder.h"
+#include "ganglion/base/testing/folder.h"
 
 namespace ganglion {
 namespace {

@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "ganglion/base/file.h"
+#include "ganglion/base/testing/folder.h"
 #include "ganglion/record/run_file.h"
 #include "ganglion/record/run_recorder.h"
-#include "ganglion/record/test_folder.h"
 
 namespace ganglion {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "ganglion/base/file.h"
+#include "ganglion/base/testing/folder.h"
 #include "ganglion/record/run_recorder.h"
-#include "ganglion/record/test_folder.h"
 
 namespace ganglion {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "ganglion/base/base64.h"
-#include "ganglion/plot/sample/markup.h"
+#include "ganglion/plot/testing/markup.h"
 #include "ganglion/report/comparison.h"
 #include "ganglion/report/html.h"
 #include "ganglion/report/map_changes.h"

@@ -7,8 +7,8 @@
 #include <regex>
 #include <set>
 
-#include "ganglion/plot/sample/markup.h"
-#include "ganglion/plot/sample/sample_run.h"
+#include "ganglion/plot/testing/markup.h"
+#include "ganglion/plot/testing/sample_run.h"
 #include "ganglion/report/embedded.h"
 #include "ganglion/report/player_data.h"
 #include "ganglion/report/words.h"

@@ -4,10 +4,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
-#include <thread>
 
 #include "ganglion/link/net/server.h"
+#include "ganglion/link/net/testing/serving.h"
 #include "ganglion/link/robot/robot_end.h"
 #include "ganglion/run/replay.h"
 #include "ganglion/run/run_robots.h"
@@ -161,11 +160,8 @@ TEST_F(ATouchedRun, RefusesWhereTheRobotsAreAtTheOtherEndOfALink) {
   link::RobotEndConfig config;
   config.token = link::random_token;
   link::RobotEnd end(robots.application(), robots.witness(), config);
-  auto server = link::Server::listen(end, *link::parse_address("tcp://127.0.0.1:0"));
-  ASSERT_TRUE(server) << server.error().message;
-  std::atomic<bool> stop = false;
-  std::jthread serving([&] { (*server)->serve([&] { return stop.load(); }, "the test is over"); });
-  const std::string address = "\"" + (*server)->address().text + "\"";
+  const link::Serving serving(end);
+  const std::string address = "\"" + serving.address().text + "\"";
   RunOptions options;
   std::string said;
   options.reach = [&](const Reach& reach) {
@@ -175,7 +171,6 @@ TEST_F(ATouchedRun, RefusesWhereTheRobotsAreAtTheOtherEndOfALink) {
   const RunResult result = result_of(prepared({{"application.address", address}, {"run.duration_s", "3"}}), options);
   EXPECT_TRUE(said.starts_with("the robots are at the other end of a link")) << said;
   EXPECT_EQ(result.interventions, 0u);
-  stop = true;
 }
 
 TEST(InterventionsOf, RefusesWhatItCannotMakeOut) {

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <functional>
 
 #include "ganglion/base/file.h"
+#include "ganglion/base/testing/folder.h"
 #include "ganglion/graph/model.h"
 #include "ganglion/record/mcap/reader.h"
 #include "ganglion/record/mcap/writer.h"
@@ -18,13 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Limits : public ::testing::Test {
+class Limits : public FolderTest {
  protected:
-  Limits() : folder_(fs::temp_directory_path() / fmt::format("ganglion_limits_{}", ::getpid())) {
-    fs::create_directories(folder_);
-  }
-  ~Limits() override { fs::remove_all(folder_); }
-
   /// The first complaint about a file of that content that is about a size.
   std::string complaint(const char* name, const std::string& text) const {
     EXPECT_TRUE(write_file(folder_ / name, text));
@@ -37,8 +32,6 @@ class Limits : public ::testing::Test {
     }
     return "no complaint about size, but: " + problems.text().substr(0, 500);
   }
-
-  fs::path folder_;
 };
 
 /// `count` times what is made for each number.

@@ -5,13 +5,13 @@
 #include <termios.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <thread>
 
 #include "ganglion/base/file.h"
 #include "ganglion/link/net/lines.h"
 #include "ganglion/link/net/proxy.h"
 #include "ganglion/link/net/server.h"
+#include "ganglion/link/net/testing/serving.h"
 #include "ganglion/record/run_file.h"
 #include "ganglion/run/run_robots.h"
 
@@ -43,24 +43,15 @@ class Served {
     link::RobotEndConfig config;
     config.token = link::random_token;
     end_ = std::make_unique<link::RobotEnd>(robots_.application(), robots_.witness(), config);
-    auto server = link::Server::listen(*end_, *link::parse_address(address));
-    EXPECT_TRUE(server) << server.error().message;
-    server_ = std::move(*server);
-    thread_ = std::jthread([this] { server_->serve([this] { return stop_.load(); }, "the test is over"); });
+    serving_ = std::make_unique<link::Serving>(*end_, address);
   }
-  ~Served() { stop(); }
-  void stop() {
-    stop_ = true;
-    if (thread_.joinable()) thread_.join();
-  }
-  std::string address() const { return server_->address().text; }
+  void stop() { serving_->stop(); }
+  std::string address() const { return serving_->address().text; }
 
  private:
   RunRobots robots_;
   std::unique_ptr<link::RobotEnd> end_;
-  std::unique_ptr<link::Server> server_;
-  std::atomic<bool> stop_ = false;
-  std::jthread thread_;
+  std::unique_ptr<link::Serving> serving_;
 };
 
 /// Two pseudo-terminals joined back to back: a serial cable.

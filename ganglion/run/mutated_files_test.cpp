@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 
 #include "ganglion/base/file.h"
+#include "ganglion/base/testing/folder.h"
 #include "ganglion/config/format.h"
 #include "ganglion/config/testing/mutator.h"
 #include "ganglion/run/check_file.h"
@@ -19,17 +19,15 @@ namespace fs = std::filesystem;
 const fs::path kExperiments = fs::path(GANGLION_SOURCE_DIR) / "experiments";
 
 /// A copy of all experiments to spoil files in.
-class MutatedFiles : public ::testing::Test {
+class MutatedFiles : public FolderTest {
  protected:
-  MutatedFiles() : folder_(fs::temp_directory_path() / fmt::format("ganglion_mutated_files_{}", ::getpid())) {
-    fs::remove_all(folder_);
+  MutatedFiles() {
     fs::copy(kExperiments, folder_, fs::copy_options::recursive);
     for (const auto& entry : fs::recursive_directory_iterator(folder_)) {
       if (entry.path().extension() == ".toml") files_.push_back(entry.path());
     }
     std::sort(files_.begin(), files_.end());
   }
-  ~MutatedFiles() override { fs::remove_all(folder_); }
 
   static Problems judged(const fs::path& file, const std::string& text) {
     EXPECT_TRUE(write_file(file, text));
@@ -54,7 +52,6 @@ class MutatedFiles : public ::testing::Test {
     return true;
   }
 
-  fs::path folder_;
   std::vector<fs::path> files_;
 };
 

@@ -77,10 +77,10 @@ class RobotMeasures {
 
 /// Measures of a trainer's goals: goals_set, goals_reached, goals_withdrawn, goals_timed_out, goals_unreachable,
 /// goals_missed (reachable when set, yet not reached or replaced), unreachable_withdrawn, where there are any
-/// goals_replaced, and travelled over shortest way of the
-/// first five and of the last five goals reached (travel_ratio_first, travel_ratio_last) and of the second half
-/// (travel_ratio_late): over the shortest way of a robot that turns on the spot, and, with `_steered` appended, over
-/// that of one that turns no more than the trainer's max_turn_deg in a step. Movers aside, both.
+/// goals_replaced, and travelled over shortest way of the first five and of the last five goals reached
+/// (travel_ratio_first, travel_ratio_last) and of the second half (travel_ratio_late): over the shortest way of a robot
+/// that turns on the spot, and, with `_steered` appended, over that of one that turns no more than the trainer's
+/// max_turn_deg in a step. Movers aside, both.
 void report_goals(std::span<const sim::GoalRecord> goals, Measures& into);
 
 }  // namespace ganglion

@@ -243,11 +243,15 @@ void RunWriter::write_goals(int robot, double time_s) {
   if (trainer == nullptr) return;
   Robot& one = robots_[static_cast<std::size_t>(robot)];
   const auto goals = trainer->records();
-  one.outcomes.resize(goals.size(), sim::GoalOutcome::TimedOut);
-  for (std::size_t g = one.goals > 0 ? one.goals - 1 : 0; g < goals.size(); ++g) {
-    const bool fresh = g >= one.goals;
-    if (!fresh && one.outcomes[g] == goals[g].outcome) continue;
-    one.outcomes[g] = goals[g].outcome;
+  std::vector<sim::GoalOutcome>& written = one.outcomes;
+  for (std::size_t g = written.empty() ? 0 : written.size() - 1; g < goals.size(); ++g) {
+    if (g == written.size()) {
+      written.push_back(goals[g].outcome);
+    } else if (written[g] != goals[g].outcome) {
+      written[g] = goals[g].outcome;
+    } else {
+      continue;
+    }
     const std::string state =
         goals[g].outcome == sim::GoalOutcome::Open ? "set" : std::string(name_of(goals[g].outcome));
     const Json json = {{"index", g},
@@ -259,7 +263,6 @@ void RunWriter::write_goals(int robot, double time_s) {
     log(time_s, kInfo, "trainer",
         fmt::format("goal {} at cell {}, {}: {}", g + 1, goals[g].goal.column, goals[g].goal.row, state));
   }
-  one.goals = goals.size();
 }
 
 void RunWriter::write_exhibits(int robot, double time_s) {

@@ -33,7 +33,6 @@ class RunWriter {
     std::vector<double> row;
     std::map<std::string, std::uint64_t> shown;  ///< Hash of what each topic showed last.
     std::vector<std::uint8_t> statuses;          ///< Of each component's request.
-    std::size_t goals = 0;
     std::vector<sim::GoalOutcome> outcomes;
   };
   void write_truth(std::size_t robot);

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "ganglion/base/file.h"
+#include "ganglion/base/testing/folder.h"
 #include "ganglion/run/batch.h"
 
 // The same experiment and seed give the same bits, whatever else goes on in the process, and for as long as it goes on.
@@ -132,13 +133,9 @@ TEST(SameBits, AloneAndAmongAHundredRobots) {
 }
 
 /// A folder with a copy of an experiment to change.
-class ChangedExperiment : public ::testing::Test {
+class ChangedExperiment : public FolderTest {
  protected:
-  ChangedExperiment() : folder_(fs::temp_directory_path() / fmt::format("ganglion_changed_{}", ::getpid())) {
-    fs::remove_all(folder_);
-    fs::copy(kExperiments / "nimrod", folder_);
-  }
-  ~ChangedExperiment() override { fs::remove_all(folder_); }
+  ChangedExperiment() { fs::copy(kExperiments / "nimrod", folder_); }
 
   void append(const char* file, std::string_view text) {
     EXPECT_TRUE(write_file(folder_ / file, *read_file(folder_ / file) + std::string(text)));
@@ -147,8 +144,6 @@ class ChangedExperiment : public ::testing::Test {
     return components(
         result_of(prepared(folder_, {set("run.duration_s", duration_s), set("run.free_ground", "false")}), 1));
   }
-
-  fs::path folder_;
 };
 
 TEST_F(ChangedExperiment, LeavesTheBitsOfWhatTheNewComponentsHaveNothingToDoWith) {

@@ -4,6 +4,7 @@
 
 namespace ganglion {
 
-inline constexpr std::string_view kVersion = "0.1.0";
+/// Of the program, "major.minor.patch": what the project() of the top CMakeLists.txt says.
+extern const std::string_view kVersion;
 
 }  // namespace ganglion

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
+#include "ganglion/base/testing/folder.h"
 #include "ganglion/link/controller/remote_application.h"
 #include "ganglion/link/net/lines.h"
 #include "ganglion/link/net/program.h"
-#include "ganglion/record/test_folder.h"
 #include "ganglion/run/run.h"
 
 // The example of clients/c, as it would run on a board, emulated: its serial line is a socket.
@@ -54,7 +54,6 @@ class CutLine final : public link::Line {
 class EmulatedRobot : public FolderTest {
  protected:
   void SetUp() override {
-    FolderTest::SetUp();
     if (std::string(GANGLION_QEMU).empty() || std::string(GANGLION_NIMROD_ELF).empty()) {
       GTEST_SKIP() << "NOT TESTED: the robot in C was not driven. Needed: gcc-arm-none-eabi, qemu-system-arm and "
                       "python3; ./dev test clients installs them";
@@ -72,10 +71,6 @@ class EmulatedRobot : public FolderTest {
     Problems problems;
     prepared_ = prepare(GANGLION_SOURCE_DIR "/clients/c/example", {{"application.address", address_}}, problems);
     ASSERT_TRUE(prepared_) << problems.text();
-  }
-  void TearDown() override {
-    board_.reset();
-    FolderTest::TearDown();
   }
 
   std::unique_ptr<link::RemoteApplication> connect(link::wire::Pace pace) {

@@ -3,8 +3,8 @@
 #include <csignal>
 
 #include "ganglion/base/file.h"
+#include "ganglion/base/testing/folder.h"
 #include "ganglion/record/run_file.h"
-#include "ganglion/record/test_folder.h"
 #include "tests/endings/child.h"
 
 namespace ganglion {

@@ -34,7 +34,7 @@ std::optional<std::size_t> rank_of(const std::string& area, const Layers& layers
 }
 
 bool is_test(const std::string& file) {
-  return file.ends_with("_test.cpp") || file.find("/testing/") != std::string::npos || file.ends_with("/testing.h");
+  return file.ends_with("_test.cpp") || file.find("/testing/") != std::string::npos;
 }
 
 bool is_cpp(const std::string& file) { return file.ends_with(".cpp") || file.ends_with(".h"); }

@@ -28,9 +28,8 @@ struct DynamicMapRouterConfig {
 /// Request   goal cell {column, row}.
 /// Feedback  cell reached {column, row}, heading [rad]; optional: position [m], contact, direction of the goal [rad].
 /// Command   {motion, direction}: 1 forward or -1 backward; direction of travel, a multiple of 45 deg in the map's
-/// frame.
-///           Withdraw (unreachable, trapped, outside the map, bad request, no reading) once everything has failed, or
-///           for the reason of the module below when that one cannot drive at all.
+///           frame. Withdraw (unreachable, trapped, outside the map, bad request, no reading) once everything has
+///           failed, or for the reason of the module below when that one cannot drive at all.
 /// Memory    the map grows tile by tile between ticks up to max_tiles; then ground outside it is closed. A tick
 ///           allocates nothing.
 /// Ticks     of inhibitions are cycles of this module: while a step is carried out below, none pass.

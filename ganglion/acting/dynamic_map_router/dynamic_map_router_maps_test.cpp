@@ -6,7 +6,7 @@
 #include <random>
 #include <tuple>
 
-#include "ganglion/acting/dynamic_map_router/grid_bot.h"
+#include "ganglion/acting/dynamic_map_router/testing/grid_bot.h"
 
 namespace ganglion {
 namespace {

@@ -1,7 +1,7 @@
 // What AmDmr keeps and shows: experience saved and loaded, exhibits for onlookers.
 #include <gtest/gtest.h>
 
-#include "ganglion/acting/dynamic_map_router/grid_bot.h"
+#include "ganglion/acting/dynamic_map_router/testing/grid_bot.h"
 
 namespace ganglion {
 namespace {

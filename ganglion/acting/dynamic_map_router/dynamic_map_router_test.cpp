@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "ganglion/acting/dynamic_map_router/grid_bot.h"
+#include "ganglion/acting/dynamic_map_router/testing/grid_bot.h"
 #include "ganglion/module/testing/allocations.h"
 
 namespace ganglion {

@@ -39,12 +39,11 @@ struct HoldHeadingConfig {
 ///           right: sonars [m], optional; course [rad], optional, instead of the one learned at the start.
 /// Command   tracks {left, right}, duty; a turn proportional to the error of heading, slower ahead the larger it is.
 /// Output    original and target [rad] (NaN until known): the course wanted in the end, and now; error = target -
-/// heading
-///           [rad], counter-clockwise; held: 1 while a held course is steered; blind: 1 while it goes without a
-///           heading, or stops for want of sonars.
+///           heading [rad], counter-clockwise; held: 1 while a held course is steered; blind: 1 while it goes without
+///           a heading, or stops for want of sonars.
 /// Missing   no heading: the last command for patience_s, then straight on at blind_share of the speed ahead, and it is
-///           blind: what avoids and escapes still works. Sonars, where wired: one dead
-///           (NaN): one_sonar_share of the speed ahead; all dead: it stops and is blind. Nothing in range: full speed.
+///           blind: what avoids and escapes still works. Sonars, where wired: one dead (NaN): one_sonar_share of the
+///           speed ahead; all dead: it stops and is blind. Nothing in range: full speed.
 /// Source    Alonso, "Desarrollo de un robot con arquitectura de subsuncion (robot Nimrod)", sections 3, 8 and the
 ///           program of section 5 (SP_RUMBO, RUMBO, CONTADOR; NAVEGAR, AJUSTE, AVANCE). Gain: 3 of 1200 counts per deg.
 /// Differs   recommended (all of this ours) wraps the error, never stands between the bands and learns the course from

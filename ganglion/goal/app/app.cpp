@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ganglion/goal/bid_parameters.h"
+
 namespace ganglion {
 
 bool AppGoal::Values::equal(std::span<const double> other) const noexcept {
@@ -34,21 +36,7 @@ constexpr std::array kPorts = {
                    .help = {"What the application asks for; missing readings ask for nothing",
                             "Lo que la aplicación solicita; las lecturas ausentes no solicitan nada"}}};
 
-constexpr std::array kParameters = {
-    ParameterDescriptor{
-        .name = "priority_class",
-        .type = ParameterType::Integer,
-        .min = 0,
-        .max = 100,
-        .help = {"A higher class may pre-empt a lower one", "Una clase mayor puede desplazar a una menor"},
-        .ours = true},
-    ParameterDescriptor{.name = "intensity",
-                        .preset = 1,
-                        .min = 0,
-                        .max = 1,
-                        .help = {"Within a class the strongest wins", "Dentro de una clase gana la más intensa"},
-                        .ours = true},
-};
+constexpr std::array kParameters = {kPriorityClass, kIntensity};
 
 }  // namespace
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ganglion/goal/bid_parameters.h"
+
 namespace ganglion {
 
 Result<std::unique_ptr<ConstantGoal>> ConstantGoal::make(const ConstantGoalConfig& config) {
@@ -35,19 +37,8 @@ constexpr std::array kParameters = {
                         .help = {"What is asked for, one number for each value of the request",
                                  "Lo que se solicita, un número por cada valor de la solicitud"},
                         .ours = true},
-    ParameterDescriptor{
-        .name = "priority_class",
-        .type = ParameterType::Integer,
-        .min = 0,
-        .max = 100,
-        .help = {"A higher class may pre-empt a lower one", "Una clase mayor puede desplazar a una menor"},
-        .ours = true},
-    ParameterDescriptor{.name = "intensity",
-                        .preset = 1,
-                        .min = 0,
-                        .max = 1,
-                        .help = {"Within a class the strongest wins", "Dentro de una clase gana la más intensa"},
-                        .ours = true},
+    kPriorityClass,
+    kIntensity,
 };
 
 }  // namespace

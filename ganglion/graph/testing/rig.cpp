@@ -60,14 +60,6 @@ std::string problems_of(std::string_view text) {
   return problems.text();
 }
 
-std::string sensations(std::initializer_list<std::string_view> channels) {
-  std::string text;
-  for (const std::string_view channel : channels) {
-    text += fmt::format("[[sensation]]\nid = \"{0}\"\nchannel = \"{0}\"\n", channel);
-  }
-  return text;
-}
-
 Rig::Rig(std::string_view text, const Identity& identity)
     : sense(make_sense_frame(test_robot())),
       act(make_act_frame(test_robot())),

@@ -7,6 +7,7 @@
 
 #include "ganglion/graph/controller.h"
 #include "ganglion/graph/testing/kinds.h"
+#include "ganglion/graph/testing/pieces.h"
 
 namespace ganglion::testing {
 
@@ -20,9 +21,6 @@ Result<Controller> compiled(std::string_view text, Problems& problems, const Rob
                             const Identity& identity = {});
 /// Every problem of a controller file, one a line: "controller.toml:line:column: ...". The text begins at line 2.
 std::string problems_of(std::string_view text);
-
-/// "[[sensation]]" of each channel, under its own name.
-std::string sensations(std::initializer_list<std::string_view> channels);
 
 /// A controller whose frames are fed by hand.
 class Rig {

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <thread>
 
 #include "ganglion/base/file.h"
@@ -9,6 +8,7 @@
 #include "ganglion/link/net/program.h"
 #include "ganglion/link/net/proxy.h"
 #include "ganglion/link/net/server.h"
+#include "ganglion/link/net/testing/serving.h"
 #include "ganglion/link/testing/bench.h"
 
 namespace ganglion::link {
@@ -34,19 +34,10 @@ TEST(Address, IsReadAsPeopleWriteIt) {
 /// A robot that listens on a port of this machine, served by a thread of its own.
 class Served {
  public:
-  Served() : end_(robot_, nullptr, config()) {
-    auto server = Server::listen(end_, *parse_address("127.0.0.1:0"));
-    EXPECT_TRUE(server) << server.error().message;
-    server_ = std::move(*server);
-    thread_ = std::jthread([this] { server_->serve([this] { return stop_.load(); }, "the test is over"); });
-  }
-  ~Served() { stop(); }
-  void stop() {
-    stop_ = true;
-    if (thread_.joinable()) thread_.join();
-  }
-  const Address& address() const { return server_->address(); }
-  std::unique_ptr<Line> line() const { return make_line(server_->address()); }
+  Served() : end_(robot_, nullptr, config()), serving_(end_) {}
+  void stop() { serving_.stop(); }
+  const Address& address() const { return serving_.address(); }
+  std::unique_ptr<Line> line() const { return make_line(serving_.address()); }
   NotebookRobot& robot() { return robot_; }
 
  private:
@@ -57,9 +48,7 @@ class Served {
   }
   NotebookRobot robot_;
   RobotEnd end_;
-  std::unique_ptr<Server> server_;
-  std::atomic<bool> stop_ = false;
-  std::jthread thread_;
+  Serving serving_;
 };
 
 TEST(Server, CarriesASessionOverTcp) {

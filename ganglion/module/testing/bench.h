@@ -141,7 +141,7 @@ class ActingBench : public Bench<ActingModule> {
   Command step(double step_s, bool granted = true) {
     const Tick now = begin(step_s);
     product().grant(granted);
-    product().settle(now, 1.0);
+    product().settle(1.0);
     product().cycle(now);
     end();
     return product().command();

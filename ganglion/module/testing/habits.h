@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "ganglion/module/testing/allocations.h"
@@ -22,12 +23,13 @@ inline void draw_readings(const std::vector<std::span<double>>& ports, Draws& dr
   }
 }
 
-/// What a behaviour must do on any readings: command finite values within +-1 or nothing, without taking memory, the
-/// same each time.
-inline void expect_good_habits(const ActingModuleKind& kind, std::initializer_list<Setting> list,
-                               std::initializer_list<std::string_view> optional_ports, double step_s) {
-  ActingBench bench(kind, list);
-  ActingBench twin(kind, list);
+/// Steps two products of a kind side by side on 2000 draws of any readings, which must take no memory. After each step
+/// `compare` is shown both.
+template <class Bench, class Product, class Compare>
+void step_twins(const Kind<Product>& kind, std::initializer_list<Setting> list,
+                std::initializer_list<std::string_view> optional_ports, double step_s, const Compare& compare) {
+  Bench bench(kind, list);
+  Bench twin(kind, list);
   for (const std::string_view port : optional_ports) {
     bench.wire(port, 1);
     twin.wire(port, 1);
@@ -35,20 +37,33 @@ inline void expect_good_habits(const ActingModuleKind& kind, std::initializer_li
   bench.step(step_s);
   twin.step(step_s);
   for (std::uint32_t i = 0; i < 2000; ++i) {
+    SCOPED_TRACE("tick " + std::to_string(i));
     Draws draws({.seed = 7}, i);
     Draws again({.seed = 7}, i);
     draw_readings(bench.wired(), draws);
     draw_readings(twin.wired(), again);
     const std::uint64_t before = allocations();
-    const Command command = bench.step(step_s);
-    ASSERT_EQ(allocations(), before) << "tick " << i;
-    const Command other = twin.step(step_s);
-    ASSERT_EQ(command.kind, other.kind) << "tick " << i;
-    ASSERT_EQ(command.values, other.values) << "tick " << i;
-    if (command.kind != CommandKind::Act) continue;
-    ASSERT_GT(command.ttl_s, 0) << "tick " << i;
-    for (const double value : command.span()) ASSERT_LE(std::fabs(value), 1) << "tick " << i;  // false for NaN
+    bench.step(step_s);
+    ASSERT_EQ(allocations(), before);
+    twin.step(step_s);
+    compare(bench, twin);
+    if (::testing::Test::HasFatalFailure()) return;
   }
+}
+
+/// What a behaviour must do on any readings: command finite values within +-1 or nothing, without taking memory, the
+/// same each time.
+inline void expect_good_habits(const ActingModuleKind& kind, std::initializer_list<Setting> list,
+                               std::initializer_list<std::string_view> optional_ports, double step_s) {
+  step_twins<ActingBench>(kind, list, optional_ports, step_s, [](ActingBench& bench, ActingBench& twin) {
+    const Command& command = bench.product().command();
+    const Command& other = twin.product().command();
+    ASSERT_EQ(command.kind, other.kind);
+    ASSERT_EQ(command.values, other.values);
+    if (command.kind != CommandKind::Act) return;
+    ASSERT_GT(command.ttl_s, 0);
+    for (const double value : command.span()) ASSERT_LE(std::fabs(value), 1);  // false for NaN
+  });
 }
 
 }  // namespace ganglion::testing

@@ -91,7 +91,7 @@ void RequestBench::join_below(RequestSlot& below) {
 const Command& RequestBench::tick(std::optional<double> cost) {
   ++tick_.number;
   tick_.time_s += tick_.step_s;
-  module_->settle(tick_, cost);
+  module_->settle(cost);
   if (!module_->waits()) module_->cycle(tick_);
   module_->grow();
   return module_->command();

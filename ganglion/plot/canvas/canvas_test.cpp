@@ -4,7 +4,7 @@
 
 #include "ganglion/plot/canvas/axes.h"
 #include "ganglion/plot/canvas/picture.h"
-#include "ganglion/plot/sample/markup.h"
+#include "ganglion/plot/testing/markup.h"
 
 /// Fontconfig keeps what it found until the process ends; that is no leak of ours.
 extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig\n"; }  // NOLINT: the name is LSan's

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <set>
 
-#include "ganglion/plot/sample/markup.h"
-#include "ganglion/plot/sample/sample_run.h"
+#include "ganglion/plot/testing/markup.h"
+#include "ganglion/plot/testing/sample_run.h"
 
 namespace ganglion::plot {
 namespace {

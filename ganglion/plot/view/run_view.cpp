@@ -111,12 +111,6 @@ std::vector<Attempt> failed_attempts(const RobotView& robot) {
   return attempts;
 }
 
-std::string_view active_name(const Coordination& coordination, std::size_t row) noexcept {
-  const int winner = coordination.active[row];
-  if (winner < 0 || winner >= static_cast<int>(coordination.candidates.size())) return {};
-  return coordination.candidates[static_cast<std::size_t>(winner)];
-}
-
 Bounds bounds_of(const RunView& run) noexcept {
   Extent extent;
   if (run.scene.bounds) {

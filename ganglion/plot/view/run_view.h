@@ -220,9 +220,6 @@ std::optional<std::size_t> index_at(std::span<const double> times_s, double time
 /// before, and it was made from where the robot came nearest to the cell in that time.
 std::vector<Attempt> failed_attempts(const RobotView& robot);
 
-/// The name of the behaviour at a row of a coordination; empty for none.
-std::string_view active_name(const Coordination& coordination, std::size_t row) noexcept;
-
 /// The corners of all there is to draw: scene, tracks and goals, at least half a metre each way.
 Bounds bounds_of(const RunView& run) noexcept;
 

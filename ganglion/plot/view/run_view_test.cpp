@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ganglion/plot/sample/sample_run.h"
+#include "ganglion/plot/testing/sample_run.h"
 
 namespace ganglion::plot {
 namespace {
@@ -72,13 +72,6 @@ TEST(Bounds, AreOfSomeSizeForARunOfNothing) {
   const Bounds bounds = bounds_of({});
   EXPECT_LT(bounds.lower.x, bounds.upper.x);
   EXPECT_LT(bounds.lower.y, bounds.upper.y);
-}
-
-TEST(ActiveName, IsEmptyWhereNobodyDrives) {
-  const RunView run = sample_behaviour_run(1, 10);
-  const Coordination& arbiter = run.robots[0].coordinations[0];
-  EXPECT_EQ(active_name(arbiter, 0), "");
-  EXPECT_EQ(active_name(arbiter, 10), "navigate");
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "ganglion/base/file.h"
-#include "ganglion/record/test_folder.h"
+#include "ganglion/base/testing/folder.h"
 
 namespace ganglion {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "ganglion/base/hash.h"
 #include "ganglion/record/mcap/fields.h"
-#include "ganglion/record/mcap/mcap_test_support.h"
+#include "ganglion/record/mcap/testing/mcap_file.h"
 
 namespace ganglion {
 namespace {

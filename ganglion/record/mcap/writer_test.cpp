@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "ganglion/record/mcap/fields.h"
-#include "ganglion/record/mcap/mcap_test_support.h"
+#include "ganglion/record/mcap/testing/mcap_file.h"
 
 namespace ganglion {
 namespace {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ganglion/math/functions.h"
+#include "ganglion/sensing/compass_voltages.h"
 #include "ganglion/units/angle.h"
 
 namespace ganglion {
@@ -18,8 +19,8 @@ constexpr double kMost_V = 1000;  // beyond any real device: a damaged file
 constexpr std::string_view kPart = "calibration";
 
 constexpr std::array kPorts = {
-    PortDescriptor{.name = "va", .unit = "V", .help = {"Cosine voltage", "Voltaje del coseno"}},
-    PortDescriptor{.name = "vb", .unit = "V", .help = {"Sine voltage", "Voltaje del seno"}},
+    kCosineVoltage,
+    kSineVoltage,
     PortDescriptor{.name = "yaw",
                    .role = PortRole::Output,
                    .unit = "rad",

@@ -31,10 +31,9 @@ struct VoltageSpan {
 /// Learns    Until calibrated the given centre and amplitude hold. When twelve sectors of 30 deg have been seen, the
 ///           middle and half the span of each voltage take their place, for good: kept as experience.
 /// Phase     From the regions of Nimrod's listing (section 5, SENSORES): its heading is 90 deg where VA is in the
-/// middle
-///           and VB above, 180 where VB is in the middle and VA below, 270 and 0 in turn. So VA = c + A cos(bearing),
-///           VB = c + A sin(bearing), bearing = atan2(VB - c, VA - c) clockwise from north with no rotation, and
-///           yaw = 90 deg - bearing. Its 107.14 deg/V = 45 deg / (A sin 45 deg) gives A = 0.594 V.
+///           middle and VB above, 180 where VB is in the middle and VA below, 270 and 0 in turn. So VA = c + A
+///           cos(bearing), VB = c + A sin(bearing), bearing = atan2(VB - c, VA - c) clockwise from north with no
+///           rotation, and yaw = 90 deg - bearing. Its 107.14 deg/V = 45 deg / (A sin 45 deg) gives A = 0.594 V.
 /// Source    ours (ruling 1.11); midpoints and half spans are the usual hard and soft iron correction along the axes.
 class CompassDecoder final : public SensingModule {
  public:

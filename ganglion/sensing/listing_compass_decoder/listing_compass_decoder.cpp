@@ -2,14 +2,15 @@
 
 #include <array>
 
+#include "ganglion/sensing/compass_voltages.h"
 #include "ganglion/units/angle.h"
 
 namespace ganglion {
 namespace {
 
 constexpr std::array kPorts = {
-    PortDescriptor{.name = "va", .unit = "V", .help = {"Cosine voltage", "Voltaje del coseno"}},
-    PortDescriptor{.name = "vb", .unit = "V", .help = {"Sine voltage", "Voltaje del seno"}},
+    kCosineVoltage,
+    kSineVoltage,
     PortDescriptor{.name = "yaw",
                    .role = PortRole::Output,
                    .unit = "rad",

@@ -10,8 +10,7 @@ namespace ganglion {
 ///
 /// Feedback  echo_time [s], there and back.
 /// Output    range [m]: (echo time in whole us / 2) / 29.034 us per cm, the halving that of whole numbers, all in
-/// 32-bit
-///           floats; always finite.
+///           32-bit floats; always finite.
 /// Missing   no pulse (0) and NaN give 0 m, as an empty variable does; an endless echo the largest WORD, 65535 us.
 /// Source    Alonso, "Desarrollo de un robot con arquitectura de subsuncion (robot Nimrod)", section 5, SENSORES.
 class ListingSonarDecoder final : public SensingModule {

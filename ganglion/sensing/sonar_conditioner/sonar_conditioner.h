@@ -19,9 +19,8 @@ struct SonarConditionerConfig {
 
 /// A sonar as the behaviours want it: one range, after REP-117.
 ///
-/// Feedback  one of: echo_time [s], there and back, which is taken if both are wired; raw_range [m]. temperature [deg
-/// C] of
-///           the air, optional, else the parameter.
+/// Feedback  one of: echo_time [s], there and back, which is taken if both are wired; raw_range [m]. temperature
+///           [deg C] of the air, optional, else the parameter.
 /// Output    range [m], the median of the latest readings (of two the nearer); dead: 1 while there is none.
 /// Missing   an echo time of 0 is no pulse: NaN. NaN, and a reading older than dead_after_s, is a dead sonar: NaN, and
 ///           what was read before is forgotten. Below min_range_m -inf, above max_range_m +inf; both take part in the

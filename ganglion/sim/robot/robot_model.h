@@ -88,8 +88,7 @@ struct RobotModel {
 ///     (BatteryModel), `substep_s`, and on the body `climb_deg`, `tip_deg`; sensations are then named "id.channel", and
 ///     the command channel as the drive's kind names it; or
 ///   * a bare description of a robot elsewhere: `[[sensation]] name, unit, type, elements, min, max, period_s, x_m,
-///   y_m,
-///     yaw_deg` and `[[command]] name, elements, units, min, max, safe`.
+///     y_m, yaw_deg` and `[[command]] name, elements, units, min, max, safe`.
 std::shared_ptr<const RobotModel> load_robot(const std::filesystem::path& path, const SimKinds& kinds,
                                              std::span<const config::Override> overrides, Problems& problems);
 /// The same from a text. `outline` takes down what was asked.

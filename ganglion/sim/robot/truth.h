@@ -12,8 +12,8 @@ struct Truth {
   Pose2 start{};           ///< The pose of the last reset.
   Vector2 velocity_mps{};  ///< Over the last sub-step, in the world's frame; 0 while something blocks it.
   double turn_rate_radps = 0;
-  double left_m =
-      0;  ///< Way of the left wheel's rim since the reset, backwards counting negative; a blocked robot slips.
+  /// Way of the left wheel's rim since the reset, backwards counting negative; a blocked robot slips.
+  double left_m = 0;
   double right_m = 0;              ///< The same of the right wheel.
   double travelled_m = 0;          ///< Length of the centre's path since the reset.
   double energy_J = 0;             ///< Taken since the reset.
@@ -24,11 +24,11 @@ struct Truth {
   int contacts = 0;                ///< Contacts begun since the reset. Pushing on is no new contact.
   double contact_speed_mps = 0;    ///< Speed along the normal at which the last step's hardest contact began, else 0.
   double fastest_contact_mps = 0;  ///< The same since the reset.
-  double battery_V =
-      std::numeric_limits<double>::quiet_NaN();  ///< At its terminals, under load; NaN without a battery.
-  double charge = 1;                             ///< Share of the battery's capacity that is left.
-  bool stalled = false;                          ///< Kept in the last sub-step from climbing what is too steep for it.
-  bool tipped = false;                           ///< Has fallen over on a slope; moves no more.
+  /// At its terminals, under load; NaN without a battery.
+  double battery_V = std::numeric_limits<double>::quiet_NaN();
+  double charge = 1;     ///< Share of the battery's capacity that is left.
+  bool stalled = false;  ///< Kept in the last sub-step from climbing what is too steep for it.
+  bool tipped = false;   ///< Has fallen over on a slope; moves no more.
 };
 
 }  // namespace ganglion::sim

@@ -1,5 +1,5 @@
 #include "ganglion/module/testing/allocations.h"
-#include "ganglion/sim/simulation/testing.h"
+#include "ganglion/sim/simulation/testing/trial.h"
 
 namespace ganglion::sim {
 namespace {

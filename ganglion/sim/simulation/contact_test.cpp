@@ -1,7 +1,7 @@
 // What must be right about contacts before speed counts.
 #include <cmath>
 
-#include "ganglion/sim/simulation/testing.h"
+#include "ganglion/sim/simulation/testing/trial.h"
 
 namespace ganglion::sim {
 namespace {

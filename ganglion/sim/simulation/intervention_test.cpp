@@ -1,7 +1,7 @@
 // Somebody reaches into a running simulation: sets goals, puts obstacles elsewhere.
 #include <cmath>
 
-#include "ganglion/sim/simulation/testing.h"
+#include "ganglion/sim/simulation/testing/trial.h"
 
 namespace ganglion::sim {
 namespace {

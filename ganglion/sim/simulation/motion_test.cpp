@@ -1,7 +1,7 @@
 // Robots driving in a world: motion, commands that lapse, contacts, energy.
 #include <cmath>
 
-#include "ganglion/sim/simulation/testing.h"
+#include "ganglion/sim/simulation/testing/trial.h"
 
 namespace ganglion::sim {
 namespace {

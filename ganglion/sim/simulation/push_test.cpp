@@ -2,7 +2,7 @@
 // nearest to the wanted ones on which nothing overlaps.
 #include <cmath>
 
-#include "ganglion/sim/simulation/testing.h"
+#include "ganglion/sim/simulation/testing/trial.h"
 
 namespace ganglion::sim {
 namespace {

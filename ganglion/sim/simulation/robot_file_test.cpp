@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "ganglion/sim/simulation/testing.h"
+#include "ganglion/sim/simulation/testing/trial.h"
 
 namespace ganglion::sim {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstring>
 
 #include "ganglion/base/hash.h"
-#include "ganglion/sim/simulation/testing.h"
+#include "ganglion/sim/simulation/testing/trial.h"
 
 namespace ganglion::sim {
 namespace {

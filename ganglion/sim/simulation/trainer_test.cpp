@@ -1,7 +1,7 @@
 // The trainer at work: a stepping robot that the test itself steers.
 #include <cmath>
 
-#include "ganglion/sim/simulation/testing.h"
+#include "ganglion/sim/simulation/testing/trial.h"
 
 namespace ganglion::sim {
 namespace {

@@ -10,8 +10,7 @@ namespace ganglion::sim {
 ///   name
 ///   bounds    [min x, min y, max x, max y]
 ///   shapes    list of {class: "wall" | "furniture", kind: "wall" | "box" | "disc" | "polygon", points: [[x, y], ...]
-///   and
-///             closed, or x, y, radius; material; id and label where given}
+///             and closed, or x, y, radius; material; id and label where given}
 ///   map       {origin: [x, y, yaw], resolution, columns, rows, occupied, unknown: lists of rectangles of cells
 ///             [column, row, columns, rows] counted from the lower left} where there is one
 ///   movers    list of {class: "mover", id, label, points in its own frame or radius, pose: [x, y, yaw] as it stands}

@@ -44,6 +44,22 @@ Result<Ends> ends_of(config::Sheet& sheet, const Json& what) {
   return Ends{id, std::move(*port)};
 }
 
+/// What a wired input holds.
+struct WiredInput {
+  Ends ends;
+  config::Sheet::Found found;
+  std::vector<config::Region> items;  ///< The texts that name where its wires come from.
+};
+
+/// Fails with UnknownKey where the input is not wired.
+Result<WiredInput> wired_input(config::Sheet& sheet, const Json& what) {
+  auto ends = ends_of(sheet, what);
+  if (!ends) return tl::unexpected<Error>(ends.error());
+  const auto found = sheet.member(ends->id, "in." + ends->port);
+  if (!found) return fail(ErrorCode::UnknownKey, "{}: input \"{}\" is not wired", ends->id, ends->port);
+  return WiredInput{std::move(*ends), *found, config::strings_in(sheet.text(), found->member->value)};
+}
+
 /// Takes an item out of a list, with the comma behind or before it; comments stay.
 void take_out(config::Sheet& sheet, const std::string& text, config::Region list, config::Region item) {
   std::size_t end = item.end;
@@ -98,14 +114,12 @@ Result<void> connect(config::Sheet& sheet, const Json& what, std::vector<std::st
 }
 
 Result<void> disconnect(config::Sheet& sheet, const Json& what, std::vector<std::string>&) {
-  const auto ends = ends_of(sheet, what);
-  if (!ends) return tl::unexpected<Error>(ends.error());
-  const auto found = sheet.member(ends->id, "in." + ends->port);
-  if (!found) return fail(ErrorCode::UnknownKey, "{}: input \"{}\" is not wired", ends->id, ends->port);
+  const auto input = wired_input(sheet, what);
+  if (!input) return tl::unexpected<Error>(input.error());
+  const auto& [ends, found, items] = *input;
   const std::string& text = sheet.text();
-  const std::vector<config::Region> items = config::strings_in(text, found->member->value);
   if (!what.contains("from")) {
-    sheet.erase(ends->id, *found);
+    sheet.erase(ends.id, found);
     return {};
   }
   const auto from = text_in(what, "from");
@@ -113,23 +127,21 @@ Result<void> disconnect(config::Sheet& sheet, const Json& what, std::vector<std:
   const auto item = std::find_if(items.begin(), items.end(),
                                  [&](const config::Region& one) { return config::unquoted(one.of(text)) == *from; });
   if (item == items.end()) {
-    return fail(ErrorCode::UnknownKey, "{}: no wire comes from \"{}\" to input \"{}\"", ends->id, *from, ends->port);
+    return fail(ErrorCode::UnknownKey, "{}: no wire comes from \"{}\" to input \"{}\"", ends.id, *from, ends.port);
   }
   if (items.size() == 1) {
-    sheet.erase(ends->id, *found);
+    sheet.erase(ends.id, found);
   } else {
-    take_out(sheet, text, found->member->value, *item);
+    take_out(sheet, text, found.member->value, *item);
   }
   return {};
 }
 
 Result<void> reorder(config::Sheet& sheet, const Json& what, std::vector<std::string>&) {
-  const auto ends = ends_of(sheet, what);
-  if (!ends) return tl::unexpected<Error>(ends.error());
-  const auto found = sheet.member(ends->id, "in." + ends->port);
-  if (!found) return fail(ErrorCode::UnknownKey, "{}: input \"{}\" is not wired", ends->id, ends->port);
+  const auto input = wired_input(sheet, what);
+  if (!input) return tl::unexpected<Error>(input.error());
+  const std::vector<config::Region>& items = input->items;
   const std::string& text = sheet.text();
-  const std::vector<config::Region> items = config::strings_in(text, found->member->value);
   std::vector<std::string> now, wanted;
   for (const config::Region& item : items) now.push_back(config::unquoted(item.of(text)));
   const auto order = what.find("order");
@@ -142,7 +154,7 @@ Result<void> reorder(config::Sheet& sheet, const Json& what, std::vector<std::st
   return {};
 }
 
-/// Notes the change of every reference: `by` gives what becomes of a wire's text, "" = it goes.
+/// Wires, and boxes of [layout], follow the name.
 Result<void> rename_component(config::Sheet& sheet, const Json& what, std::vector<std::string>& ids) {
   const auto component = component_in(sheet, what);
   if (!component) return tl::unexpected<Error>(component.error());

@@ -77,7 +77,6 @@ class Hub {
   /// What hello says of the run; also an event.
   void set_state(Json state);
   const Json& state() const noexcept { return state_; }
-  std::size_t viewers() const noexcept { return viewers_.size(); }
 
  private:
   friend class Viewer;

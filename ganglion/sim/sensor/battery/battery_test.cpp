@@ -2,15 +2,13 @@
 
 #include <cmath>
 
-#include "ganglion/sim/robot/testing.h"
+#include "ganglion/sim/robot/testing/stage.h"
 
 namespace ganglion::sim {
 namespace {
 
 using testing::made;
 using testing::Stage;
-
-constexpr std::string_view kWorld = "format = 1\nname = \"w\"\n[[wall]]\npoints = [[90, -9], [90, 9]]\n";
 
 std::array<double, 3> read(Sensor& battery, const Scene& scene, std::uint32_t tick = 0) {
   std::array<double, 3> values{};
@@ -20,7 +18,7 @@ std::array<double, 3> read(Sensor& battery, const Scene& scene, std::uint32_t ti
 }
 
 TEST(Battery, CutsOffToWholeCounts) {
-  Stage stage(kWorld);
+  Stage stage;
   const auto battery = made(battery_kind, {{"noise_V", 0}, {"divider", 1.02}});
   stage.robot.battery_V = 7.4;
   stage.robot.charge = 0.6;
@@ -31,7 +29,7 @@ TEST(Battery, CutsOffToWholeCounts) {
 }
 
 TEST(Battery, TellsTheMeanCurrentSinceItFiredLast) {
-  Stage stage(kWorld);
+  Stage stage;
   const auto battery = made(battery_kind, {{"noise_V", 0}});
   stage.robot.battery_V = 8;
   ASSERT_TRUE(battery->reset(stage.at({}), Draws(StreamId{}, 0)));
@@ -42,13 +40,13 @@ TEST(Battery, TellsTheMeanCurrentSinceItFiredLast) {
 }
 
 TEST(Battery, ReadsNothingWhereThereIsNone) {
-  Stage stage(kWorld);
+  Stage stage;
   const auto battery = made(battery_kind);
   for (const double value : read(*battery, stage.at({}))) EXPECT_TRUE(std::isnan(value));
 }
 
 TEST(Battery, ScattersAsStated) {
-  Stage stage(kWorld);
+  Stage stage;
   const auto battery = made(battery_kind, {{"bits", 0}});  // 0.02 V
   stage.robot.battery_V = 7.4;
   const int count = 4000;

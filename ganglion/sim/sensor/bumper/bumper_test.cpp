@@ -1,14 +1,12 @@
 #include "ganglion/sim/sensor/bumper/bumper.h"
 
-#include "ganglion/sim/robot/testing.h"
+#include "ganglion/sim/robot/testing/stage.h"
 
 namespace ganglion::sim {
 namespace {
 
 using testing::made;
 using testing::Stage;
-
-constexpr std::string_view kWorld = "format = 1\nname = \"w\"\n[[wall]]\npoints = [[90, -9], [90, 9]]\n";
 
 double read(Sensor& bumper, const Scene& scene) {
   double value = -1;
@@ -24,7 +22,7 @@ void follow(Sensor& bumper, Stage& stage, bool touching) {
 }
 
 TEST(Bumper, RemembersATouchUntilItHasToldIt) {
-  Stage stage(kWorld);
+  Stage stage;
   const auto bumper = made(bumper_kind);
   EXPECT_EQ(read(*bumper, stage.at({})), 0);
   follow(*bumper, stage, true);
@@ -34,7 +32,7 @@ TEST(Bumper, RemembersATouchUntilItHasToldIt) {
 }
 
 TEST(Bumper, ForgetsWithTheEpisode) {
-  Stage stage(kWorld);
+  Stage stage;
   const auto bumper = made(bumper_kind);
   follow(*bumper, stage, true);
   ASSERT_TRUE(bumper->reset(stage.at({}), Draws(StreamId{}, 0)));

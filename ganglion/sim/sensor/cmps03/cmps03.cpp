@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ganglion/math/functions.h"
+#include "ganglion/sim/sensor/magnetic_north.h"
 
 namespace ganglion::sim {
 namespace {
@@ -45,14 +46,7 @@ constexpr std::array kParameters = {
                         .max = 180,
                         .help = {"Standard deviation of one reading", "Desviación típica de una lectura"},
                         .ours = true},
-    ParameterDescriptor{.name = "north_deg",
-                        .unit = "deg",
-                        .preset = 90,
-                        .min = -360,
-                        .max = 360,
-                        .help = {"Direction of magnetic north in the world, counter-clockwise from x",
-                                 "Dirección del norte magnético en el mundo, antihorario desde x"},
-                        .ours = true},
+    kMagneticNorth,
 };
 
 Result<std::unique_ptr<Sensor>> make(const Parameters& parameters) {

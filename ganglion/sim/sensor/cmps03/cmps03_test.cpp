@@ -2,15 +2,14 @@
 
 #include <cmath>
 
-#include "ganglion/sim/robot/testing.h"
+#include "ganglion/sim/robot/testing/stage.h"
 
 namespace ganglion::sim {
 namespace {
 
 using testing::made;
 using testing::Stage;
-
-constexpr std::string_view kWorld = "format = 1\nname = \"w\"\n[[wall]]\npoints = [[90, -9], [90, 9]]\n";
+using testing::turned;
 
 struct Reading {
   double heading_deg = 0;
@@ -24,10 +23,8 @@ Reading read(Sensor& compass, const Scene& scene, std::uint32_t tick = 0) {
   return {Angle::from_rad(values[0]).deg(), values[1]};
 }
 
-Pose2 turned(double yaw_deg) { return {{0, 0}, Angle::from_deg(yaw_deg)}; }
-
 TEST(Cmps03, CountsTenthsOfADegreeClockwiseFromNorth) {
-  Stage stage(kWorld);
+  Stage stage;
   const auto compass = made(cmps03_kind, {{"accuracy_deg", 0}, {"noise_deg", 0}});
   EXPECT_EQ(read(*compass, stage.at(turned(90))).bearing, 0);
   EXPECT_EQ(read(*compass, stage.at(turned(0))).bearing, 900);
@@ -39,7 +36,7 @@ TEST(Cmps03, CountsTenthsOfADegreeClockwiseFromNorth) {
 }
 
 TEST(Cmps03, IsBiasedByThePlaceWithinItsAccuracy) {
-  Stage stage(kWorld);
+  Stage stage;
   const auto compass = made(cmps03_kind, {{"noise_deg", 0}});
   double squares = 0, sum = 0, largest = 0;
   const int side = 50;  // 10 x 10 m in steps of 0.2 m: whole periods of 5 m
@@ -60,7 +57,7 @@ TEST(Cmps03, IsBiasedByThePlaceWithinItsAccuracy) {
 }
 
 TEST(Cmps03, FindsTheSameBiasAgainAndAnotherInTheNextEpisode) {
-  Stage stage(kWorld);
+  Stage stage;
   const auto compass = made(cmps03_kind, {{"noise_deg", 0}});
   ASSERT_TRUE(compass->reset(stage.at({}), Draws(StreamId{4, 0, 0, 1}, 0)));
   const double here = read(*compass, stage.at({{1, 2}, {}})).heading_deg;
@@ -71,7 +68,7 @@ TEST(Cmps03, FindsTheSameBiasAgainAndAnotherInTheNextEpisode) {
 }
 
 TEST(Cmps03, ScattersAsStated) {
-  Stage stage(kWorld);
+  Stage stage;
   const auto compass = made(cmps03_kind, {{"accuracy_deg", 0}, {"noise_deg", 0.5}});
   const int count = 4000;
   double sum = 0, squares = 0;

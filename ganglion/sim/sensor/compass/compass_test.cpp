@@ -2,15 +2,14 @@
 
 #include <cmath>
 
-#include "ganglion/sim/robot/testing.h"
+#include "ganglion/sim/robot/testing/stage.h"
 
 namespace ganglion::sim {
 namespace {
 
 using testing::made;
 using testing::Stage;
-
-constexpr std::string_view kWorld = "format = 1\nname = \"w\"\n[[wall]]\npoints = [[90, -9], [90, 9]]\n";
+using testing::turned;
 
 double read_deg(Sensor& compass, const Scene& scene, std::uint32_t tick = 0) {
   std::array<double, 1> values{};
@@ -19,22 +18,20 @@ double read_deg(Sensor& compass, const Scene& scene, std::uint32_t tick = 0) {
   return Angle::from_rad(values[0]).deg();
 }
 
-Pose2 turned(double yaw_deg) { return {{0, 0}, Angle::from_deg(yaw_deg)}; }
-
 TEST(Compass, TellsTheYaw) {
-  Stage stage(kWorld);
+  Stage stage;
   const auto compass = made(compass_kind);
   EXPECT_NEAR(read_deg(*compass, stage.at(turned(-120))), -120, 1e-12);
 }
 
 TEST(Compass, WrapsWhatItsBiasAdds) {
-  Stage stage(kWorld);
+  Stage stage;
   const auto compass = made(compass_kind, {{"bias_deg", 20}});
   EXPECT_NEAR(read_deg(*compass, stage.at(turned(170))), -170, 1e-9);
 }
 
 TEST(Compass, LagsBehindAQuickTurn) {
-  Stage stage(kWorld);
+  Stage stage;
   const auto compass = made(compass_kind, {{"lag_s", 1}});
   ASSERT_TRUE(compass->reset(stage.at(turned(0)), Draws(StreamId{}, 0)));
   for (int n = 0; n < 100; ++n) compass->follow(stage.at(turned(90)), 0.01);
@@ -43,13 +40,13 @@ TEST(Compass, LagsBehindAQuickTurn) {
 }
 
 TEST(Compass, RoundsToItsSteps) {
-  Stage stage(kWorld);
+  Stage stage;
   const auto compass = made(compass_kind, {{"resolution_deg", 0.1}});
   EXPECT_NEAR(read_deg(*compass, stage.at(turned(12.34))), 12.3, 1e-9);
 }
 
 TEST(Compass, ScattersAsStated) {
-  Stage stage(kWorld);
+  Stage stage;
   const auto compass = made(compass_kind, {{"noise_deg", 2}});
   double squares = 0;
   for (std::uint32_t n = 0; n < 4000; ++n) squares += std::pow(read_deg(*compass, stage.at(turned(0)), n), 2);
@@ -57,7 +54,7 @@ TEST(Compass, ScattersAsStated) {
 }
 
 TEST(Compass, IsBentByThePlace) {
-  Stage stage(kWorld);
+  Stage stage;
   const auto compass = made(compass_kind, {{"local_bias_deg", 3.5}, {"local_length_m", 8}});
   EXPECT_NEAR(read_deg(*compass, stage.at({{2, 0}, {}})), 3.5, 1e-9);  // a quarter of the period
   EXPECT_NEAR(read_deg(*compass, stage.at({{2, 4}, {}})), -3.5, 1e-9);

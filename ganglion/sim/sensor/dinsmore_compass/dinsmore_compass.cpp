@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "ganglion/sim/sensor/magnetic_north.h"
+
 namespace ganglion::sim {
 namespace {
 
@@ -42,14 +44,7 @@ constexpr std::array kParameters = {
                         .max = 24,
                         .help = {"Of the converter; 0 = not rounded", "Del conversor; 0 = sin redondeo"}},
     volts("reference_V", 5, 1e-3, {"Full scale of the converter", "Fondo de escala del conversor"}),
-    ParameterDescriptor{.name = "north_deg",
-                        .unit = "deg",
-                        .preset = 90,
-                        .min = -360,
-                        .max = 360,
-                        .help = {"Direction of magnetic north in the world, counter-clockwise from x",
-                                 "Dirección del norte magnético en el mundo, antihorario desde x"},
-                        .ours = true},
+    kMagneticNorth,
 };
 
 Result<std::unique_ptr<Sensor>> make(const Parameters& parameters) {

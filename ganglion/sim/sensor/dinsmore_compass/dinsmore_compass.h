@@ -23,8 +23,8 @@ struct DinsmoreCompassConfig {
 /// The phase follows from the decoder in Nimrod's listing: around 90 deg it takes 45 + 107.14 (2.92 - VA) where VB is
 /// the larger, so there VA falls through the centre while VB is high; around 270 deg VA rises while VB is low; around
 /// 180 deg VB falls; around 0 deg it is 107.14 (VB - 2.5), VB rises while VA is high. Only cosine and sine of the
-/// bearing do that. Source    Nimrod, section 5 (listing); lag of about 1 s: the listing waits 1.5 s for the needle to
-/// settle.
+/// bearing do that.
+/// Source    Nimrod, section 5 (listing); lag of about 1 s: the listing waits 1.5 s for the needle to settle.
 class DinsmoreCompass final : public Sensor {
  public:
   explicit DinsmoreCompass(const DinsmoreCompassConfig& config) noexcept : config_(config), lag_(config.lag_s) {}

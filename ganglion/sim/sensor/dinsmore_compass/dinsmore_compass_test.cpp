@@ -3,15 +3,13 @@
 #include <cmath>
 #include <optional>
 
-#include "ganglion/sim/robot/testing.h"
+#include "ganglion/sim/robot/testing/stage.h"
 
 namespace ganglion::sim {
 namespace {
 
 using testing::made;
 using testing::Stage;
-
-constexpr std::string_view kWorld = "format = 1\nname = \"w\"\n[[wall]]\npoints = [[90, -9], [90, 9]]\n";
 
 std::array<double, 2> read_V(Sensor& compass, const Scene& scene) {
   std::array<double, 2> values{};
@@ -42,7 +40,7 @@ std::optional<double> listing_bearing_deg(double va, double vb) {
 
 // 2.5 V is count 512 of 1024; 0.594 V are 121.65 counts: 633 = 3.0908 V above, 390 = 1.9043 V below (cut off).
 TEST(DinsmoreCompass, GivesItsVoltsAtTheCardinalBearings) {
-  Stage stage(kWorld);
+  Stage stage;
   const double low_V = 390 * 5.0 / 1024, high_V = 633 * 5.0 / 1024;
   const double step_V = 5.0 / 1024;  // the centre lies on the edge between two counts
   const auto north = at_rest_V(stage, 0), east = at_rest_V(stage, 90);
@@ -58,7 +56,7 @@ TEST(DinsmoreCompass, GivesItsVoltsAtTheCardinalBearings) {
 }
 
 TEST(DinsmoreCompass, IsReadRightByTheArcTangent) {
-  Stage stage(kWorld);
+  Stage stage;
   for (int bearing_deg = 0; bearing_deg < 360; bearing_deg += 7) {
     const auto volts = at_rest_V(stage, bearing_deg);
     const double read_deg = Angle::from_rad(std::atan2(volts[1] - 2.5, volts[0] - 2.5)).deg();
@@ -67,7 +65,7 @@ TEST(DinsmoreCompass, IsReadRightByTheArcTangent) {
 }
 
 TEST(DinsmoreCompass, IsReadByTheListingWithinItsOwnErrorAwayFromItsSeams) {
-  Stage stage(kWorld);
+  Stage stage;
   for (const int bearing_deg : {0, 20, 70, 90, 110, 160, 180, 200, 250, 270, 290, 340}) {
     const auto volts = at_rest_V(stage, bearing_deg);
     const auto read_deg = listing_bearing_deg(volts[0], volts[1]);
@@ -77,7 +75,7 @@ TEST(DinsmoreCompass, IsReadByTheListingWithinItsOwnErrorAwayFromItsSeams) {
 }
 
 TEST(DinsmoreCompass, SettlesWithItsTimeConstant) {
-  Stage stage(kWorld);
+  Stage stage;
   const auto compass = made(dinsmore_compass_kind, {{"bits", 0}});
   const Scene east = stage.at({});
   const Pose2 west{{0, 0}, Angle::from_deg(180)};

@@ -2,13 +2,13 @@
 
 #include <cmath>
 
-#include "ganglion/sim/robot/testing.h"
+#include "ganglion/sim/robot/testing/stage.h"
 
 namespace ganglion::sim {
 namespace {
 
 TEST(Encoders, CutOffToWholeCountsAndScale) {
-  testing::Stage stage("format = 1\nname = \"w\"\n[[wall]]\npoints = [[90, -9], [90, 9]]\n");
+  testing::Stage stage;
   stage.robot.left_m = 0.128;
   stage.robot.right_m = -0.101;
   const auto encoders = testing::made(encoders_kind, {{"resolution_m", 0.01}, {"right_scale", 1.1}});
@@ -20,7 +20,7 @@ TEST(Encoders, CutOffToWholeCountsAndScale) {
 }
 
 TEST(Encoders, ScatterWithTheRootOfTheWayHoweverOftenTheyFire) {
-  testing::Stage stage("format = 1\nname = \"w\"\n[[wall]]\npoints = [[90, -9], [90, 9]]\n");
+  testing::Stage stage;
   const auto encoders = testing::made(encoders_kind, {{"scatter_m", 0.02}});
   const int count = 4000;
   for (const int firings : {1, 25}) {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "ganglion/sim/robot/testing.h"
+#include "ganglion/sim/robot/testing/stage.h"
 
 namespace ganglion::sim {
 namespace {
@@ -10,7 +10,6 @@ namespace {
 using testing::made;
 using testing::Stage;
 
-constexpr std::string_view kWorld = "format = 1\nname = \"w\"\n[[wall]]\npoints = [[90, -9], [90, 9]]\n";
 enum Value { kX, kY, kLatitude, kLongitude, kAltitude, kCourse, kSpeed, kUtc, kFix, kValues };
 using Fix = std::array<double, kValues>;
 
@@ -28,7 +27,7 @@ Fix read(Sensor& gps, const Scene& scene, std::uint32_t tick = 0) {
 // At 45 deg WGS 84 has a meridian radius of 6,367,381.8 m and a prime vertical one of 6,388,838.3 m (sin^2 = 1/2: N = a
 // / sqrt(1 - e^2 / 2), M = N (1 - e^2) / (1 - e^2 / 2)): 111,131.8 m a degree of latitude, 78,846.8 m of longitude.
 TEST(Gps, GivesDegreesOfTheEarth) {
-  Stage stage(kWorld);
+  Stage stage;
   const auto gps = made(gps_kind, kExact);
   const Fix fix = read(*gps, stage.at({{788.468, 1111.318}, {}}, 5));
   EXPECT_NEAR(fix[kX], 788.468, 1e-9);
@@ -41,7 +40,7 @@ TEST(Gps, GivesDegreesOfTheEarth) {
 }
 
 TEST(Gps, KnowsWhereNorthIs) {
-  Stage stage(kWorld);
+  Stage stage;
   const auto gps = made(gps_kind, {{"latitude_deg", 45},
                                    {"longitude_deg", 179.995},
                                    {"altitude_m", 0},
@@ -54,7 +53,7 @@ TEST(Gps, KnowsWhereNorthIs) {
 }
 
 TEST(Gps, GivesCourseAndSpeedOfItsAntenna) {
-  Stage stage(kWorld);
+  Stage stage;
   const auto gps = made(gps_kind, kExact);
   stage.robot.velocity_mps = {0, 0.5};
   const Fix fix = read(*gps, stage.at({}));
@@ -71,7 +70,7 @@ TEST(Gps, GivesCourseAndSpeedOfItsAntenna) {
 }
 
 TEST(Gps, HasNoCourseWhenSlow) {
-  Stage stage(kWorld);
+  Stage stage;
   const auto gps = made(gps_kind, kExact);
   stage.robot.velocity_mps = {0.09, 0};
   const Fix fix = read(*gps, stage.at({}));
@@ -89,7 +88,7 @@ TEST(Gps, GivesTheHeightOfASlope) {
 }
 
 TEST(Gps, ScattersAsStated) {
-  Stage stage(kWorld);
+  Stage stage;
   const auto gps = made(gps_kind, {{"drift_m", 0}, {"altitude_m", 0}});  // 0.5 m, 0.05 m/s
   const int count = 4000;
   double x = 0, squares = 0, up = 0, speed = 0;
@@ -109,7 +108,7 @@ TEST(Gps, ScattersAsStated) {
 }
 
 TEST(Gps, DriftsSlowlyAndStaysBounded) {
-  Stage stage(kWorld);
+  Stage stage;
   const auto gps = made(gps_kind, {{"noise_m", 0}});  // 1.5 m, 120 s
   ASSERT_TRUE(gps->reset(stage.at({}), Draws(StreamId{}, 0)));
   const int count = 20000;
@@ -130,7 +129,7 @@ TEST(Gps, DriftsSlowlyAndStaysBounded) {
 }
 
 TEST(Gps, DriftsTheSameHoweverOftenItFires) {
-  Stage stage(kWorld);
+  Stage stage;
   const auto gps = made(gps_kind, {{"noise_m", 0}});
   double products = 0;
   const int count = 4000;
@@ -151,7 +150,7 @@ TEST(Gps, DriftsTheSameHoweverOftenItFires) {
 }
 
 TEST(Gps, LosesItsFixInSpells) {
-  Stage stage(kWorld);
+  Stage stage;
   const auto gps = made(gps_kind, {{"lost_every_s", 30}, {"lost_for_s", 10}});
   ASSERT_TRUE(gps->reset(stage.at({}), Draws(StreamId{}, 0)));
   int lost = 0, spells = 0;
@@ -176,7 +175,7 @@ TEST(Gps, LosesItsFixInSpells) {
 }
 
 TEST(Gps, RepeatsItselfForTheSameSeedOnly) {
-  Stage stage(kWorld);
+  Stage stage;
   const auto gps = made(gps_kind), twin = made(gps_kind);
   ASSERT_TRUE(gps->reset(stage.at({}), Draws(StreamId{1, 0, 0, 5}, 0)));
   ASSERT_TRUE(twin->reset(stage.at({}), Draws(StreamId{1, 0, 0, 5}, 0)));

@@ -2,15 +2,13 @@
 
 #include <cmath>
 
-#include "ganglion/sim/robot/testing.h"
+#include "ganglion/sim/robot/testing/stage.h"
 
 namespace ganglion::sim {
 namespace {
 
 using testing::made;
 using testing::Stage;
-
-constexpr std::string_view kWorld = "format = 1\nname = \"w\"\n[[wall]]\npoints = [[90, -9], [90, 9]]\n";
 
 std::array<double, 2> read_m(Sensor& sensor, const Scene& scene, std::uint32_t tick = 0) {
   std::array<double, 2> values{};
@@ -20,13 +18,13 @@ std::array<double, 2> read_m(Sensor& sensor, const Scene& scene, std::uint32_t t
 }
 
 TEST(Position, TellsWhereItsMountIs) {
-  Stage stage(kWorld);
+  Stage stage;
   const auto sensor = made(position_kind);
   EXPECT_EQ(read_m(*sensor, stage.at({{1.5, -2}, {}})), (std::array<double, 2>{1.5, -2}));
 }
 
 TEST(Position, ScattersEachCoordinateAsStated) {
-  Stage stage(kWorld);
+  Stage stage;
   const auto sensor = made(position_kind, {{"noise_m", 0.2}});
   double x = 0, y = 0, both = 0;
   for (std::uint32_t n = 0; n < 4000; ++n) {

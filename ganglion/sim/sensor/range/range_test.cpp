@@ -1,6 +1,6 @@
 #include "ganglion/sim/sensor/range/range.h"
 
-#include "ganglion/sim/robot/testing.h"
+#include "ganglion/sim/robot/testing/stage.h"
 
 namespace ganglion::sim {
 namespace {

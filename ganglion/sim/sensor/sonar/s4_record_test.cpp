@@ -1,7 +1,7 @@
 // Figure 15 of the Carlitos paper in kind: sonar S4, which looks to the right, against time.
 #include <cmath>
 
-#include "ganglion/sim/robot/testing.h"
+#include "ganglion/sim/robot/testing/stage.h"
 #include "ganglion/sim/sensor/sonar/sonar.h"
 
 namespace ganglion::sim {

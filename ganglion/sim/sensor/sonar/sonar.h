@@ -36,17 +36,17 @@ struct SonarConfig {
 /// there is read as a phantom at the length of the whole way. Other robots are rough surfaces.
 ///
 /// Channel `range` [m]      +inf without echo, in the blind zone -inf (or the minimum, as the device does), NaN when
-/// dead. Channel `echo_time` [s]  there and back; no_echo_s without echo, too_close_echo_s in the blind zone, 0 when
-/// dead (the
-///                          device gave no pulse).
+///                          dead.
+/// Channel `echo_time` [s]  there and back; no_echo_s without echo, too_close_echo_s in the blind zone, 0 when dead
+///                          (the device gave no pulse).
 /// Devices: the Parallax PING, 40 deg, 0.02..3.0 m, a pulse of 115 us at least, 3.29 m when nothing answers; the
 /// Devantech SRF02, 50 deg, 0.16..6.0 m in whole centimetres (give it a period of 0.07 s); the Polaroid 6500, 30 deg,
 /// 0.41..10.7 m. Fading: seen off the axis by a of a half cone c the echo's amplitude is 2^-(a/c)^2, half (-6 dB) at
 /// the rim; as echoes weaken with the square of the range, what is heard up to max_range_m on the axis is heard up to
-/// max_range_m 2^-(a/c)^2/2 there, 0.71 of it at the rim (ours). Source    Kuc and Siegel, "Physically based simulation
-/// model for acoustic sensor robot navigation" (1987), for mirror
-///           reflection; the limit of 22.5 deg on a smooth wall is a measured one. Limits of the other materials are
-///           ours.
+/// max_range_m 2^-(a/c)^2/2 there, 0.71 of it at the rim (ours).
+/// Source    Kuc and Siegel, "Physically based simulation model for acoustic sensor robot navigation" (1987), for
+///           mirror reflection; the limit of 22.5 deg on a smooth wall is a measured one. Limits of the other materials
+///           are ours.
 /// Crosstalk, where it is asked for: another sonar of the robot that fires at the same moment sends its ping to a
 /// surface within its cone and in its sight, and what this one hears of that, half the way from there over the surface
 /// to here, is taken for an echo if it is the nearest (ours). Sonars of other robots are not heard. Fire them in turn

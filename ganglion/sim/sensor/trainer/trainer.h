@@ -26,8 +26,9 @@ struct TrainerConfig {
 /// Channel `direction` [rad]     bearing of that cell's centre from the robot, in the world's frame.
 /// Drawn goals are free cells that the robot's disc can step to from where the episode begins, movers aside; sealed
 /// ones are free cells that it cannot. No goal is drawn twice in a row. Somebody may set a goal in place of the present
-/// one, or after the last: then come the goals that were left. Source    "A growing functional modules locomotion
-/// subsystem", section 5; drawing, patience, log and goals set by somebody are ours.
+/// one, or after the last: then come the goals that were left.
+/// Source    "A growing functional modules locomotion subsystem", section 5; drawing, patience, log and goals set by
+///           somebody are ours.
 class Trainer final : public Sensor, public TrainerLog {
  public:
   explicit Trainer(TrainerConfig config) : config_(std::move(config)) {}

@@ -1,8 +1,8 @@
 // The bodies of Lanes over a lane type V: double, or a vector of doubles (GCC's vector extensions, whose comparisons
 // and ?: work lane by lane). Included by one source file for each V, compiled for its processor: everything is in an
 // anonymous namespace, and nothing inline of other headers may be called, lest the linker take that processor's copy of
-// it for the whole program. Each file
-// provides `V root(V)`, and `unsigned signs(mask)` with a bit for each lane in which a comparison of V came true.
+// it for the whole program. Each file provides `V root(V)`, and `unsigned signs(mask)` with a bit for each lane in which
+// a comparison of V came true.
 #include <algorithm>
 #include <array>
 #include <cstring>

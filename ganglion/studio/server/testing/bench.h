@@ -41,7 +41,6 @@ class ServerTest : public ::testing::Test {
     return {server_->port(), server_->token(), {}};
   }
   Server& server() { return *server_; }
-  void stop_server() { server_.reset(); }
 
  private:
   std::filesystem::path root_;

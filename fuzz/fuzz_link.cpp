@@ -1,10 +1,12 @@
-// Packets of a serial line, binary and JSON, for both ends of the link. An input is a Script.
+// Both ends of the link, in the dialect that the build names: one program each for binary frames over TCP, JSON lines
+// over TCP, and packets of a serial line. An input is a Script.
 #include "fuzz/link/ends.h"
 #include "fuzz/link/mutator.h"
 
 namespace {
 
-constexpr ganglion::fuzz::Dialect kDialect{ganglion::link::Carrier::Packets, ganglion::link::Encoding::Binary};
+constexpr ganglion::fuzz::Dialect kDialect{ganglion::link::Carrier::GANGLION_FUZZ_CARRIER,
+                                           ganglion::link::Encoding::GANGLION_FUZZ_ENCODING};
 
 }  // namespace
 

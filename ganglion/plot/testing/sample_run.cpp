@@ -1,4 +1,4 @@
-#include "ganglion/plot/sample/sample_run.h"
+#include "ganglion/plot/testing/sample_run.h"
 
 #include <fmt/format.h>
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "ganglion/base/file.h"
+#include "ganglion/base/testing/folder.h"
 #include "ganglion/record/mcap/reader.h"
 #include "ganglion/record/mcap/writer.h"
-#include "ganglion/record/test_folder.h"
 
 namespace ganglion {
 

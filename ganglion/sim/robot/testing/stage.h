@@ -25,9 +25,15 @@ std::unique_ptr<Product> made(const Kind<Product>& kind,
   return std::move(*product);
 }
 
+/// Nothing within 90 m.
+inline constexpr std::string_view kOpenGround = "format = 1\nname = \"w\"\n[[wall]]\npoints = [[90, -9], [90, 9]]\n";
+
+/// At the origin.
+inline Pose2 turned(double yaw_deg) { return {{0, 0}, Angle::from_deg(yaw_deg)}; }
+
 /// One robot on a ground, with what a sensor at its centre sees.
 struct Stage {
-  explicit Stage(std::string_view world_text) : world(ground_of(world_text)) {}
+  explicit Stage(std::string_view world_text = kOpenGround) : world(ground_of(world_text)) {}
   /// The scene of a sensor at that pose.
   Scene at(const Pose2& pose, double time_s = 0) {
     robot.pose = pose;

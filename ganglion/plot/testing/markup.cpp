@@ -1,4 +1,4 @@
-#include "ganglion/plot/sample/markup.h"
+#include "ganglion/plot/testing/markup.h"
 
 namespace ganglion::plot {
 namespace {

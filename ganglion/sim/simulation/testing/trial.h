@@ -6,7 +6,7 @@
 #include "ganglion/sim/drive/differential/differential.h"
 #include "ganglion/sim/drive/stepper/stepper.h"
 #include "ganglion/sim/drive/tracked/tracked.h"
-#include "ganglion/sim/robot/testing.h"
+#include "ganglion/sim/robot/testing/stage.h"
 #include "ganglion/sim/sensor/audio_events/audio_events.h"
 #include "ganglion/sim/sensor/battery/battery.h"
 #include "ganglion/sim/sensor/bumper/bumper.h"
