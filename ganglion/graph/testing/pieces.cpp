@@ -13,7 +13,8 @@ std::string sensations(std::initializer_list<std::string_view> channels) {
 }
 
 std::string gain(std::string_view id, std::string_view in, double factor) {
-  return fmt::format("[[sensing]]\nid = \"{}\"\nkind = \"Gain\"\nin.in = \"{}\"\ngain = {:.1f}\n", id, in, factor);
+  const std::string settings = factor == 1 ? "" : fmt::format("gain = {:.1f}\n", factor);
+  return fmt::format("[[sensing]]\nid = \"{}\"\nkind = \"Gain\"\nin.in = \"{}\"\n{}", id, in, settings);
 }
 
 std::string wish(std::string_view id, std::string_view settings) {
