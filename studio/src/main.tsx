@@ -6,13 +6,13 @@ import './theme/world.css';
 import { createRoot } from 'react-dom/client';
 import { listenToKeys } from './commands/keys';
 import { startAutosave } from './document/autosave';
-import { reword, useDocument } from './document/document';
-import { loadKinds } from './document/kinds';
+import { reword, useDocument } from './state/document';
+import { loadKinds } from './state/kinds';
 import { connect } from './run/run';
 import { text } from './text/text';
 import { applySettings, useSettings } from './theme/settings';
-import { Shell } from './ui/shell';
-import { complain, toast } from './ui/workbench';
+import { Shell } from './app/shell';
+import { complain, toast } from './state/workbench';
 
 applySettings();
 listenToKeys();

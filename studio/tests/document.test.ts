@@ -15,9 +15,9 @@ import {
   select,
   undo,
   useDocument,
-} from '../src/document/document';
+} from '../src/state/document';
 import type { Model } from '../src/api/types';
-import { share } from '../src/document/share';
+import { share } from '../src/state/share';
 import { StubServer } from './stub';
 
 let server: StubServer;

@@ -3,7 +3,7 @@ import type { Info, InterventionEvent, Scene } from '../src/api/types';
 import { en } from '../src/text/en';
 import { es } from '../src/text/es';
 import { cellAt, goalCell_m, interventionWords, moverAt } from '../src/world/reach';
-import { Timeline } from '../src/world/timeline';
+import { Timeline } from '../src/state/timeline';
 import { View } from '../src/world/view';
 
 const corners: [number, number][] = [

@@ -1,13 +1,13 @@
 import { api } from '../api/client';
-import { current, redo, save, select, undo, useDocument } from '../document/document';
+import { current, redo, save, select, undo, useDocument } from '../state/document';
 import { align, copy, cut, distribute, duplicate, paste, remove, tidy } from '../editor/actions';
 import { fit } from '../editor/canvas_handle';
 import { start, useRun } from '../run/run';
 import type { Dictionary } from '../text/en';
 import { text } from '../text/text';
 import { isDark, useSettings } from '../theme/settings';
-import { complain, openDialog, say, show, toast, useWorkbench } from '../ui/workbench';
-import { player, usePlayer } from '../world/player';
+import { complain, openDialog, say, show, toast, useWorkbench } from '../state/workbench';
+import { player, usePlayer } from '../state/player';
 import { mayPutObstacle, maySetGoal } from '../world/reach';
 
 export type CommandName = keyof Dictionary['commands'];

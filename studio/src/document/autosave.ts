@@ -1,6 +1,6 @@
 import { api } from '../api/client';
 import { patiently } from '../api/presence';
-import { current, isDirty, place, useDocument } from './document';
+import { current, isDirty, place, useDocument } from '../state/document';
 
 const kWait_ms = 800;
 

@@ -1,7 +1,7 @@
 import { usePresence } from '../api/presence';
 import { useText } from '../text/text';
-import { complain } from '../ui/workbench';
-import { discardDraft, overwrite, putOffConflict, recoverDraft, takeFromDisk, useDocument } from './document';
+import { complain } from '../state/workbench';
+import { discardDraft, overwrite, putOffConflict, recoverDraft, takeFromDisk, useDocument } from '../state/document';
 
 /** What must be decided before going on calmly: a draft to recover, a file that changed on the disk. */
 export function Banners() {

@@ -3,8 +3,8 @@ import { api } from '../api/client';
 import type { Files, RunFile } from '../api/types';
 import { chooseExperiment, configure, openRecording, useRun } from '../run/run';
 import { useText } from '../text/text';
-import { complain, openDialog, show } from '../ui/workbench';
-import { openDocument, useDocument } from './document';
+import { complain, openDialog, show } from '../state/workbench';
+import { openDocument, useDocument } from '../state/document';
 
 export async function openController(path: string): Promise<void> {
   try {

@@ -1,6 +1,6 @@
 import { memo } from 'react';
 import { useText } from '../text/text';
-import { goTo, useDocument } from './document';
+import { goTo, useDocument } from '../state/document';
 
 interface EntryProps {
   index: number;

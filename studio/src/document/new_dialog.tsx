@@ -3,8 +3,8 @@ import { api } from '../api/client';
 import { chooseExperiment, useRun } from '../run/run';
 import { useText } from '../text/text';
 import { Modal } from '../ui/dialog';
-import { closeDialog, complain, show } from '../ui/workbench';
-import { openDocument } from './document';
+import { closeDialog, complain, show } from '../state/workbench';
+import { openDocument } from '../state/document';
 import { useFiles } from './files';
 
 const kFile = /^[A-Za-z0-9_-]+$/;

@@ -1,13 +1,13 @@
 import { useEffect, useState } from 'react';
 import type { ComponentClass } from '../api/types';
-import { useModel } from '../document/document';
-import { useKinds } from '../document/kinds';
+import { useModel } from '../state/document';
+import { useKinds } from '../state/kinds';
 import { useText } from '../text/text';
 import { useSettings } from '../theme/settings';
 import { Modal } from '../ui/dialog';
 import { ClassMark } from '../ui/icons';
 import { PickList } from '../ui/pick_list';
-import { closeDialog, complain } from '../ui/workbench';
+import { closeDialog, complain } from '../state/workbench';
 import { add, fitting, type Offered, offered } from './adding';
 import { middle } from './canvas_handle';
 import type { Point } from './placing';

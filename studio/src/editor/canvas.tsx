@@ -10,10 +10,10 @@ import {
   useReactFlow,
 } from '@xyflow/react';
 import { type DragEvent, useCallback, useEffect, useMemo, useRef } from 'react';
-import { current, edit, useDocument } from '../document/document';
+import { current, edit, useDocument } from '../state/document';
 import { useText } from '../text/text';
 import { Icon } from '../ui/icons';
-import { complain, openDialog, say, toast, useWorkbench } from '../ui/workbench';
+import { complain, openDialog, say, toast, useWorkbench } from '../state/workbench';
 import { add, type Offered } from './adding';
 import { setCanvas } from './canvas_handle';
 import { ComponentBox } from './component_node';

@@ -1,10 +1,10 @@
 import type { Component, Model, Operation } from '../api/types';
-import { edit, useDocument, useModel } from '../document/document';
-import { kindOf, useKinds } from '../document/kinds';
+import { edit, useDocument, useModel } from '../state/document';
+import { kindOf, useKinds } from '../state/kinds';
 import { useText } from '../text/text';
 import { useSettings } from '../theme/settings';
 import { ClassMark } from '../ui/icons';
-import { complain, openDialog } from '../ui/workbench';
+import { complain, openDialog } from '../state/workbench';
 import { ControllerForm } from './controller_form';
 import { Field } from './field';
 import { Inputs, Outputs } from './wires_form';

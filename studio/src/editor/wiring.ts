@@ -1,7 +1,7 @@
 import { api, type Target } from '../api/client';
-import { edit, place } from '../document/document';
+import { edit, place } from '../state/document';
 import { text } from '../text/text';
-import { complain, say, toast } from '../ui/workbench';
+import { complain, say, toast } from '../state/workbench';
 
 const kPrevious = '@previous';
 

@@ -1,12 +1,12 @@
 import { useEffect, useState } from 'react';
 import { api } from '../api/client';
-import { useDocument, useModel } from '../document/document';
+import { useDocument, useModel } from '../state/document';
 import { useFiles } from '../document/files';
 import { RobotCard } from '../editor/controller_form';
 import { numberOf } from '../editor/field';
 import { useText } from '../text/text';
 import { Modal } from '../ui/dialog';
-import { closeDialog, complain } from '../ui/workbench';
+import { closeDialog, complain } from '../state/workbench';
 import { type Application, configure, testLink, useRun } from './run';
 
 type Program = { name: string; help: string };

@@ -4,12 +4,12 @@ import { decodeSamples, type Sample } from '../api/samples';
 import { Connection } from '../api/socket';
 import { absent, present } from '../api/presence';
 import type { Hello, LinkTest, Outcome, Recording, RunState, StudioEvent } from '../api/types';
-import { current, fileChanged, useDocument } from '../document/document';
+import { current, fileChanged, useDocument } from '../state/document';
 import { text } from '../text/text';
 import { keep, kept, useSettings } from '../theme/settings';
-import { complain, say, toast } from '../ui/workbench';
-import { player } from '../world/player';
-import { Timeline } from '../world/timeline';
+import { complain, say, toast } from '../state/workbench';
+import { player } from '../state/player';
+import { Timeline } from '../state/timeline';
 
 export interface Configuration {
   experiment: string;

@@ -1,9 +1,9 @@
 import { api } from '../api/client';
 import { type CommandName, carryOut, commandOf } from '../commands/commands';
-import { current, useDocument, useModel } from '../document/document';
+import { current, useDocument, useModel } from '../state/document';
 import { useText } from '../text/text';
 import { Icon } from '../ui/icons';
-import { complain, show } from '../ui/workbench';
+import { complain, show } from '../state/workbench';
 import { configure, isOfDrawing, openRecording, outcomeWords, useRun, verdict } from './run';
 
 const kPaces = [0.5, 1, 2, 5, 10, 50, 0];

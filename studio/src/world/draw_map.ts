@@ -1,4 +1,4 @@
-import type { MapState } from './timeline';
+import type { MapState } from '../state/timeline';
 import type { View, WorldColours } from './view';
 
 const kViridis = [

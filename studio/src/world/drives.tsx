@@ -1,6 +1,6 @@
 import { useText } from '../text/text';
-import { usePlayer } from './player';
-import type { Timeline } from './timeline';
+import { usePlayer } from '../state/player';
+import type { Timeline } from '../state/timeline';
 
 interface Candidate {
   id: string;

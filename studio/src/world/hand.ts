@@ -1,5 +1,5 @@
 import { type PointerEvent, useEffect, useRef } from 'react';
-import { player, usePlayer } from './player';
+import { player, usePlayer } from '../state/player';
 import { cellAt, goalCell_m, type Intent, mayReach, maySetGoal, moverAt, moverPose, putObstacle, setGoal } from './reach';
 import type { View } from './view';
 

@@ -4,9 +4,9 @@ import type { InterventionEvent, Shape } from '../api/types';
 import { useRun } from '../run/run';
 import type { Dictionary } from '../text/en';
 import { text } from '../text/text';
-import { complain, say, toast } from '../ui/workbench';
-import { player, usePlayer } from './player';
-import type { Timeline } from './timeline';
+import { complain, say, toast } from '../state/workbench';
+import { player, usePlayer } from '../state/player';
+import type { Timeline } from '../state/timeline';
 
 type Point = [number, number];
 

@@ -1,8 +1,8 @@
 import { useRun } from '../run/run';
 import { useText } from '../text/text';
 import { Icon } from '../ui/icons';
-import { player, usePlayer } from './player';
-import type { Timeline } from './timeline';
+import { player, usePlayer } from '../state/player';
+import type { Timeline } from '../state/timeline';
 
 const kSpeeds = [0.1, 0.5, 1, 2, 5, 10, 20];
 

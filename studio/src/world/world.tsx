@@ -11,7 +11,7 @@ import { Events } from './events';
 import { useHand } from './hand';
 import { Legend } from './legend';
 import { paintWorld } from './paint';
-import { player, usePlayer } from './player';
+import { player, usePlayer } from '../state/player';
 import { type Intent, mayPutObstacle, maySetGoal } from './reach';
 import { TimeBar } from './time_bar';
 import { View, worldColours } from './view';

@@ -2,7 +2,7 @@ import { lazy, Suspense } from 'react';
 import { carryOut, commandOf } from '../commands/commands';
 import { Menu } from '../commands/menu';
 import { Banners } from '../document/banners';
-import { isDirty, useDocument, useModel } from '../document/document';
+import { isDirty, useDocument, useModel } from '../state/document';
 import { FilesPane } from '../document/files';
 import { HistoryPane } from '../document/history_pane';
 import { Canvas } from '../editor/canvas';
@@ -14,9 +14,9 @@ import { Outcome, RunBar } from '../run/run_bar';
 import { useText } from '../text/text';
 import { World } from '../world/world';
 import { Dialogs } from './dialogs';
-import { Icon } from './icons';
-import { Toasts } from './toasts';
-import { type Pane, show, useWorkbench } from './workbench';
+import { Icon } from '../ui/icons';
+import { Toasts } from '../ui/toasts';
+import { type Pane, show, useWorkbench } from '../state/workbench';
 
 const Tour = lazy(() => import('../tour/tour').then((module) => ({ default: module.Tour })));
 

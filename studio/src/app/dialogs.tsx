@@ -5,7 +5,7 @@ import { ConnectFrom, ConnectTo } from '../editor/connect_dialog';
 import { RenameDialog, SearchDialog } from '../editor/small_dialogs';
 import { ConfigureDialog } from '../run/configure';
 import { GoalDialog, ObstacleDialog } from '../world/reach_dialogs';
-import { useWorkbench } from './workbench';
+import { useWorkbench } from '../state/workbench';
 
 /** The one that is open, if any. */
 export function Dialogs() {
