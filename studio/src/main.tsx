@@ -8,7 +8,7 @@ import { listenToKeys } from './commands/keys';
 import { startAutosave } from './document/autosave';
 import { reword, useDocument } from './state/document';
 import { loadKinds } from './state/kinds';
-import { connect } from './run/run';
+import { connect } from './run/session';
 import { text } from './text/text';
 import { applySettings, useSettings } from './theme/settings';
 import { Shell } from './app/shell';

@@ -2,7 +2,8 @@ import { api } from '../api/client';
 import { current, redo, save, select, undo, useDocument } from '../state/document';
 import { align, copy, cut, distribute, duplicate, paste, remove, tidy } from '../editor/actions';
 import { fit } from '../editor/canvas_handle';
-import { start, useRun } from '../run/run';
+import { start } from '../run/start';
+import { filesChanged, useRun } from '../state/run';
 import type { Dictionary } from '../text/en';
 import { text } from '../text/text';
 import { isDark, useSettings } from '../theme/settings';
@@ -33,7 +34,7 @@ const first = () => useDocument.getState().selection[0];
 async function saveAndSay(): Promise<void> {
   if (await save()) {
     toast(text().save.saved);
-    useRun.setState((run) => ({ filesVersion: run.filesVersion + 1 }));
+    filesChanged();
   }
 }
 

@@ -1,7 +1,8 @@
 import { useEffect, useState } from 'react';
 import { api } from '../api/client';
 import type { Files, RunFile } from '../api/types';
-import { chooseExperiment, configure, openRecording, useRun } from '../run/run';
+import { openRecording } from '../state/recordings';
+import { chooseExperiment, configure, useRun } from '../state/run';
 import { useText } from '../text/text';
 import { complain, openDialog, show } from '../state/workbench';
 import { openDocument, useDocument } from '../state/document';

@@ -1,6 +1,6 @@
 import { type FormEvent, useState } from 'react';
 import { api } from '../api/client';
-import { chooseExperiment, useRun } from '../run/run';
+import { chooseExperiment, filesChanged } from '../state/run';
 import { useText } from '../text/text';
 import { Modal } from '../ui/dialog';
 import { closeDialog, complain, show } from '../state/workbench';
@@ -24,7 +24,7 @@ async function create(robot: string, file: string, name: string): Promise<void> 
   ]);
   await api.save({ path, text: made.text }, '');
   await openDocument(path);
-  useRun.setState((run) => ({ filesVersion: run.filesVersion + 1 }));
+  filesChanged();
   show('add');
   show('drawing');
   await chooseExperiment();

@@ -4,7 +4,7 @@ import { useText } from '../text/text';
 import { Icon } from '../ui/icons';
 import { openDialog, say, show, useWorkbench } from '../state/workbench';
 import { reveal } from './canvas_handle';
-import { change } from './inspector';
+import { change } from './change';
 
 function goTo(problem: Problem): void {
   if (!problem.component) return;

@@ -2,7 +2,7 @@ import { BaseEdge, EdgeLabelRenderer, type EdgeProps, getBezierPath } from '@xyf
 import { memo, useCallback } from 'react';
 import { useDocument } from '../state/document';
 import { watchValue } from '../state/live_values';
-import { isOfDrawing, useRun } from '../run/run';
+import { isOfDrawing, useRun } from '../state/run';
 import type { WireEdge } from './graph';
 import { showSparkline } from './sparkline';
 

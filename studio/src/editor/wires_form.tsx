@@ -4,7 +4,7 @@ import { useText } from '../text/text';
 import { useSettings } from '../theme/settings';
 import { Icon } from '../ui/icons';
 import { openDialog } from '../state/workbench';
-import { change } from './inspector';
+import { change } from './change';
 import { replaceWire, withPrevious } from './wiring';
 
 function reordered(wires: Wire[], index: number, by: number): string[] {

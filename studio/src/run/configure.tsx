@@ -3,11 +3,12 @@ import { api } from '../api/client';
 import { useDocument, useModel } from '../state/document';
 import { useFiles } from '../document/files';
 import { RobotCard } from '../editor/controller_form';
-import { numberOf } from '../editor/field';
+import { numberOf } from '../text/numbers';
 import { useText } from '../text/text';
 import { Modal } from '../ui/dialog';
 import { closeDialog, complain } from '../state/workbench';
-import { type Application, configure, testLink, useRun } from './run';
+import { type Application, configure, useRun } from '../state/run';
+import { testLink } from './start';
 
 type Program = { name: string; help: string };
 

@@ -2,7 +2,7 @@ import { useEffect } from 'react';
 import { carryOut, commandOf } from '../commands/commands';
 import { edit, useModel } from '../state/document';
 import { fit } from '../editor/canvas_handle';
-import { useRun } from '../run/run';
+import { useRun } from '../state/run';
 import { useText } from '../text/text';
 import { Icon } from '../ui/icons';
 import { complain, say, useWorkbench } from '../state/workbench';

@@ -1,7 +1,7 @@
 // Reaching into a running world: a goal set, an obstacle put elsewhere. The server says whether that can be.
 import { api } from '../api/client';
 import type { InterventionEvent, Shape } from '../api/types';
-import { useRun } from '../run/run';
+import { useRun } from '../state/run';
 import type { Dictionary } from '../text/en';
 import { text } from '../text/text';
 import { complain, say, toast } from '../state/workbench';

@@ -1,4 +1,4 @@
-import { useRun } from '../run/run';
+import { useRun } from '../state/run';
 import { useText } from '../text/text';
 import { Icon } from '../ui/icons';
 import { player, usePlayer } from '../state/player';

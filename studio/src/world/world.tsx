@@ -1,5 +1,6 @@
 import { useEffect, useRef, useState } from 'react';
-import { closeRecording, useRun } from '../run/run';
+import { closeRecording } from '../state/recordings';
+import { useRun } from '../state/run';
 import { useText } from '../text/text';
 import { onColours } from '../theme/settings';
 import { Icon } from '../ui/icons';
