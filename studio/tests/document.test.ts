@@ -1,21 +1,8 @@
 import { beforeEach, describe, expect, test, vi } from 'vitest';
 import { usePresence } from '../src/api/presence';
 import { startAutosave } from '../src/document/autosave';
-import {
-  current,
-  edit,
-  fileChanged,
-  isDirty,
-  kept,
-  openDocument,
-  overwrite,
-  recoverDraft,
-  redo,
-  save,
-  select,
-  undo,
-  useDocument,
-} from '../src/state/document';
+import { fileChanged, openDocument, overwrite, recoverDraft, save } from '../src/state/disk';
+import { current, edit, isDirty, kept, redo, select, undo, useDocument } from '../src/state/document';
 import type { Model } from '../src/api/types';
 import { share } from '../src/state/share';
 import { StubServer } from './stub';

@@ -1,5 +1,6 @@
 import { api } from '../api/client';
-import { current, redo, save, select, undo, useDocument } from '../state/document';
+import { save } from '../state/disk';
+import { current, redo, select, undo, useDocument } from '../state/document';
 import { align, copy, cut, distribute, duplicate, paste, remove, tidy } from '../editor/actions';
 import { fit } from '../editor/canvas_handle';
 import { start } from '../run/start';

@@ -5,7 +5,8 @@ import { openRecording } from '../state/recordings';
 import { chooseExperiment, configure, useRun } from '../state/run';
 import { useText } from '../text/text';
 import { complain, openDialog, show } from '../state/workbench';
-import { openDocument, useDocument } from '../state/document';
+import { openDocument } from '../state/disk';
+import { useDocument } from '../state/document';
 
 export async function openController(path: string): Promise<void> {
   try {

@@ -4,7 +4,7 @@ import { chooseExperiment, filesChanged } from '../state/run';
 import { useText } from '../text/text';
 import { Modal } from '../ui/dialog';
 import { closeDialog, complain, show } from '../state/workbench';
-import { openDocument } from '../state/document';
+import { openDocument } from '../state/disk';
 import { useFiles } from './files';
 
 const kFile = /^[A-Za-z0-9_-]+$/;
