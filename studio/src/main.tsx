@@ -4,15 +4,15 @@ import './theme/shell.css';
 import './theme/drawing.css';
 import './theme/world.css';
 import { createRoot } from 'react-dom/client';
+import { Shell } from './app/shell';
 import { listenToKeys } from './commands/keys';
 import { startAutosave } from './document/autosave';
+import { connect } from './run/session';
 import { reword, useDocument } from './state/document';
 import { loadKinds } from './state/kinds';
-import { connect } from './run/session';
+import { complain, toast } from './state/workbench';
 import { text } from './text/text';
 import { applySettings, useSettings } from './theme/settings';
-import { Shell } from './app/shell';
-import { complain, toast } from './state/workbench';
 
 applySettings();
 listenToKeys();

@@ -1,9 +1,9 @@
 import { beforeEach, describe, expect, test, vi } from 'vitest';
 import { usePresence } from '../src/api/presence';
+import type { Model } from '../src/api/types';
 import { startAutosave } from '../src/document/autosave';
 import { fileChanged, openDocument, overwrite, recoverDraft, save } from '../src/state/disk';
 import { current, edit, isDirty, kept, redo, select, undo, useDocument } from '../src/state/document';
-import type { Model } from '../src/api/types';
 import { share } from '../src/state/share';
 import { StubServer } from './stub';
 
@@ -102,7 +102,9 @@ describe('the history', () => {
 
 describe('what an edit leaves alone', () => {
   test('stays the same object though its lines have moved on', () => {
-    const at = (line: number) => ({ components: [{ id: 'a', line, inputs: [{ port: 'in', wires: [{ text: 'b', line }] }] }] });
+    const at = (line: number) => ({
+      components: [{ id: 'a', line, inputs: [{ port: 'in', wires: [{ text: 'b', line }] }] }],
+    });
     const before = at(3);
     expect(share(before, at(4))).toBe(before);
   });

@@ -2,7 +2,6 @@ import { lazy, Suspense } from 'react';
 import { CommandButton } from '../commands/command_button';
 import { Menu } from '../commands/menu';
 import { Banners } from '../document/banners';
-import { isDirty, useDocument, useModel } from '../state/document';
 import { FilesPane } from '../document/files';
 import { HistoryPane } from '../document/history_pane';
 import { Canvas } from '../editor/canvas';
@@ -11,12 +10,13 @@ import { Palette } from '../editor/palette';
 import { Problems } from '../editor/problems';
 import { TableView } from '../editor/table_view';
 import { Outcome } from '../run/outcome';
+import { isDirty, useDocument, useModel } from '../state/document';
+import { type Pane, show, useWorkbench } from '../state/workbench';
 import { useText } from '../text/text';
+import { Toasts } from '../ui/toasts';
 import { World } from '../world/world';
 import { Dialogs } from './dialogs';
 import { RunBar } from './run_bar';
-import { Toasts } from '../ui/toasts';
-import { type Pane, show, useWorkbench } from '../state/workbench';
 
 const Tour = lazy(() => import('../tour/tour').then((module) => ({ default: module.Tour })));
 

@@ -22,10 +22,12 @@ export function startAutosave(failed: (error: unknown) => void): () => void {
       if (wanted) return api.autosave(what, state.hash);
       return before.startsWith(`${what.path}\n`) ? api.discard(what.path) : Promise.resolve();
     };
-    turn = turn.then(() => patiently(send)).catch((error) => {
-      if (kept === wanted) kept = '';
-      failed(error);
-    });
+    turn = turn
+      .then(() => patiently(send))
+      .catch((error) => {
+        if (kept === wanted) kept = '';
+        failed(error);
+      });
   };
   return useDocument.subscribe((state, before) => {
     if (current(state)?.text === current(before)?.text && state.savedText === before.savedText) return;

@@ -1,8 +1,8 @@
 import { usePresence } from '../api/presence';
-import { useText } from '../text/text';
-import { complain } from '../state/workbench';
 import { discardDraft, overwrite, putOffConflict, recoverDraft, takeFromDisk } from '../state/disk';
 import { useDocument } from '../state/document';
+import { complain } from '../state/workbench';
+import { useText } from '../text/text';
 
 /** What must be decided before going on calmly: a draft to recover, a file that changed on the disk. */
 export function Banners() {

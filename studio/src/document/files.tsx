@@ -1,12 +1,12 @@
 import { useEffect, useState } from 'react';
 import { api } from '../api/client';
 import type { Files, RunFile } from '../api/types';
-import { openRecording } from '../state/recordings';
-import { chooseExperiment, configure, useRun } from '../state/run';
-import { useText } from '../text/text';
-import { complain, openDialog, show } from '../state/workbench';
 import { openDocument } from '../state/disk';
 import { useDocument } from '../state/document';
+import { openRecording } from '../state/recordings';
+import { chooseExperiment, configure, useRun } from '../state/run';
+import { complain, openDialog, show } from '../state/workbench';
+import { useText } from '../text/text';
 
 export async function openController(path: string): Promise<void> {
   try {

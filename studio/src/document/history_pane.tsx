@@ -1,6 +1,6 @@
 import { memo } from 'react';
-import { useText } from '../text/text';
 import { goTo, useDocument } from '../state/document';
+import { useText } from '../text/text';
 
 interface EntryProps {
   index: number;

@@ -1,10 +1,10 @@
 import { type FormEvent, useState } from 'react';
 import { api } from '../api/client';
+import { openDocument } from '../state/disk';
 import { chooseExperiment, filesChanged } from '../state/run';
+import { closeDialog, complain, show } from '../state/workbench';
 import { useText } from '../text/text';
 import { Modal } from '../ui/dialog';
-import { closeDialog, complain, show } from '../state/workbench';
-import { openDocument } from '../state/disk';
 import { useFiles } from './files';
 
 const kFile = /^[A-Za-z0-9_-]+$/;

@@ -1,17 +1,10 @@
 import '@xyflow/react/dist/base.css';
-import {
-  Background,
-  ConnectionMode,
-  MiniMap,
-  ReactFlow,
-  ReactFlowProvider,
-  useReactFlow,
-} from '@xyflow/react';
+import { Background, ConnectionMode, MiniMap, ReactFlow, ReactFlowProvider, useReactFlow } from '@xyflow/react';
 import { type DragEvent, useEffect, useMemo, useRef } from 'react';
 import { current, edit, useDocument } from '../state/document';
+import { complain, openDialog, say, useWorkbench } from '../state/workbench';
 import { useText } from '../text/text';
 import { Icon } from '../ui/icons';
-import { complain, openDialog, say, useWorkbench } from '../state/workbench';
 import { add, type Offered } from './adding';
 import { setCanvas } from './canvas_handle';
 import { ComponentBox } from './component_node';

@@ -2,10 +2,10 @@ import { type ReactNode, useEffect, useState } from 'react';
 import { api } from '../api/client';
 import { place, useDocument, useModel } from '../state/document';
 import { kindOf, outputsOf } from '../state/kinds';
+import { closeDialog, complain } from '../state/workbench';
 import { useText } from '../text/text';
 import { Modal } from '../ui/dialog';
 import { PickList } from '../ui/pick_list';
-import { closeDialog, complain } from '../state/workbench';
 import { connectWire, withPrevious } from './wiring';
 
 interface Choice {

@@ -1,10 +1,10 @@
 import type { Component, Model } from '../api/types';
 import { useDocument, useModel } from '../state/document';
 import { kindOf, useKinds } from '../state/kinds';
+import { openDialog } from '../state/workbench';
 import { useText } from '../text/text';
 import { useSettings } from '../theme/settings';
 import { ClassMark } from '../ui/icons';
-import { openDialog } from '../state/workbench';
 import { change } from './change';
 import { ControllerForm } from './controller_form';
 import { Field } from './field';

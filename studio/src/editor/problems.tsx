@@ -1,8 +1,8 @@
 import type { Problem } from '../api/types';
 import { select, useModel } from '../state/document';
+import { openDialog, say, show, useWorkbench } from '../state/workbench';
 import { useText } from '../text/text';
 import { Icon } from '../ui/icons';
-import { openDialog, say, show, useWorkbench } from '../state/workbench';
 import { reveal } from './canvas_handle';
 import { change } from './change';
 

@@ -1,9 +1,9 @@
 import { memo } from 'react';
 import type { Component } from '../api/types';
 import { select, useDocument, useModel } from '../state/document';
+import { openDialog } from '../state/workbench';
 import { useText } from '../text/text';
 import { ClassMark, Icon } from '../ui/icons';
-import { openDialog } from '../state/workbench';
 import { problemsPer } from './graph';
 
 interface RowProps {

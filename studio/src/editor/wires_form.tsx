@@ -1,9 +1,9 @@
 import type { Component, Wire } from '../api/types';
 import { type InputPort, inputsOf, kindOf, outputsOf } from '../state/kinds';
+import { openDialog } from '../state/workbench';
 import { useText } from '../text/text';
 import { useSettings } from '../theme/settings';
 import { Icon } from '../ui/icons';
-import { openDialog } from '../state/workbench';
 import { change } from './change';
 import { replaceWire, withPrevious } from './wiring';
 

@@ -1,14 +1,14 @@
 import { useEffect, useState } from 'react';
 import { api } from '../api/client';
 import type { Files } from '../api/types';
-import { useDocument, useModel } from '../state/document';
 import { useFiles } from '../document/files';
 import { RobotCard } from '../editor/controller_form';
+import { useDocument, useModel } from '../state/document';
+import { type Application, configure, useRun } from '../state/run';
+import { closeDialog, complain } from '../state/workbench';
 import { numberOf } from '../text/numbers';
 import { useText } from '../text/text';
 import { Modal } from '../ui/dialog';
-import { closeDialog, complain } from '../state/workbench';
-import { type Application, configure, useRun } from '../state/run';
 import { testLink } from './start';
 
 type Experiment = Files['experiments'][number];

@@ -38,11 +38,7 @@ function welcome(hello: Hello): void {
 function sayOutcome(before: RunState | null, state: RunState): void {
   if (state.state !== 'done' || before?.state === 'done' || !state.outcome) return;
   const { outcome } = state;
-  toast(
-    verdict(outcome).words,
-    [outcomeWords(outcome)].filter(Boolean),
-    outcome.error ? 'bad' : 'note',
-  );
+  toast(verdict(outcome).words, [outcomeWords(outcome)].filter(Boolean), outcome.error ? 'bad' : 'note');
 }
 
 function takeState(state: RunState): void {

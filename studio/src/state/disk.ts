@@ -26,7 +26,8 @@ export function save(): Promise<boolean> {
     } catch (error) {
       if (!(error instanceof ApiError) || error.code !== 'Conflict') throw error;
       const conflict = conflictOf(error.details);
-      if (conflict.text === what.text && !conflict.gone) {  // it was saved, and the server ended before it could say so
+      if (conflict.text === what.text && !conflict.gone) {
+        // it was saved, and the server ended before it could say so
         set({ savedText: what.text, hash: conflict.hash, draft: null, conflict: null });
         return true;
       }

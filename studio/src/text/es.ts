@@ -1,6 +1,6 @@
 import { commandsEs } from './commands';
-import type { Dictionary } from './en';
 import { editorEs } from './editor';
+import type { Dictionary } from './en';
 import { filesEs } from './files';
 import { pageEs } from './page';
 import { reachEs } from './reach';

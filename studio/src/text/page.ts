@@ -115,8 +115,7 @@ export const pageEs: typeof pageEn = {
     cancel: 'Cancelar',
     not_connected: 'Sin conexión.',
     offline: 'El servidor no responde; se intenta de nuevo…',
-    strange:
-      'El servidor se inició de nuevo: abra en este navegador la dirección que mostró y esta página seguirá.',
+    strange: 'El servidor se inició de nuevo: abra en este navegador la dirección que mostró y esta página seguirá.',
     waiting: (n: number) =>
       n === 1 ? '1 cambio espera aquí y se enviará entonces.' : `${n} cambios esperan aquí y se enviarán entonces.`,
     theme: 'Colores',

@@ -7,7 +7,8 @@ export const tourEn = {
     show: 'Do it for me',
     progress: (at: number, of: number) => `Step ${at} of ${of}:`,
     finish: 'End the tour',
-    ended: 'The goal is reached: this is figure 6. Save it, change it, run it with another seed, or look at the report.',
+    ended:
+      'The goal is reached: this is figure 6. Save it, change it, run it with another seed, or look at the report.',
     steps: {
       file: 'Start a new controller for the pathfinder robot (File, New controller).',
       sensations: 'Add the sensations: the goal, its direction, the position, the heading and the contact.',

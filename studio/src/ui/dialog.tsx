@@ -1,7 +1,7 @@
 import { type ReactNode, useEffect, useRef } from 'react';
+import { closeDialog } from '../state/workbench';
 import { useText } from '../text/text';
 import { Icon } from './icons';
-import { closeDialog } from '../state/workbench';
 
 /** A modal of the browser's own: focus stays inside, Escape closes, and goes back where it was. */
 export function Modal({ title, children, wide }: { title: string; children: ReactNode; wide?: boolean }) {

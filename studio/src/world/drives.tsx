@@ -1,6 +1,6 @@
-import { useText } from '../text/text';
 import { usePlayer } from '../state/player';
 import type { Timeline } from '../state/timeline';
+import { useText } from '../text/text';
 
 interface Candidate {
   id: string;

@@ -1,7 +1,17 @@
 import type { PointerEvent } from 'react';
 import type { Shape } from '../api/types';
 import { player, usePlayer } from '../state/player';
-import { cellAt, goalCell_m, type Intent, mayReach, maySetGoal, moverAt, moverPose, putObstacle, setGoal } from './reach';
+import {
+  cellAt,
+  goalCell_m,
+  type Intent,
+  mayReach,
+  maySetGoal,
+  moverAt,
+  moverPose,
+  putObstacle,
+  setGoal,
+} from './reach';
 import type { View } from './view';
 
 export type Point = [number, number];

@@ -1,6 +1,6 @@
 import type { ReactNode } from 'react';
-import { useText } from '../text/text';
 import type { Timeline } from '../state/timeline';
+import { useText } from '../text/text';
 
 function Row({ mark, word }: { mark: ReactNode; word: string }) {
   return (

@@ -1,8 +1,8 @@
+import { player, usePlayer } from '../state/player';
 import { useRun } from '../state/run';
+import type { Timeline } from '../state/timeline';
 import { useText } from '../text/text';
 import { Icon } from '../ui/icons';
-import { player, usePlayer } from '../state/player';
-import type { Timeline } from '../state/timeline';
 
 const kSpeeds = [0.1, 0.5, 1, 2, 5, 10, 20];
 
