@@ -21,7 +21,7 @@ export async function openController(path: string): Promise<void> {
 export function useFiles(): Files | null {
   const version = useRun((state) => state.filesVersion);
   const [files, setFiles] = useState<Files | null>(null);
-  // read again whenever something was written
+  // biome-ignore lint/correctness/useExhaustiveDependencies: read again whenever something was written
   useEffect(() => {
     api.files().then(setFiles, complain);
   }, [version]);

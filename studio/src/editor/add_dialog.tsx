@@ -21,7 +21,7 @@ export function AddDialog({ from, at }: { from?: string; at?: Point }) {
   const kinds = useKinds((state) => state.list);
   const language = useSettings((settings) => settings.language);
   const [fits, setFits] = useState<Fit[] | null>(null);
-  // asked once, when the dialog opens
+  // biome-ignore lint/correctness/useExhaustiveDependencies: asked once, when the dialog opens
   useEffect(() => {
     const all = offered(kinds, model, language);
     if (!from) setFits(all.map((one) => ({ one })));

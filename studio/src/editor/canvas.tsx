@@ -165,7 +165,7 @@ function Flow() {
       role="application"
       className="canvas"
       ref={frame}
-      // arrows walk the drawing along its wires
+      // biome-ignore lint/a11y/noNoninteractiveTabindex: arrows walk the drawing along its wires
       tabIndex={0}
       aria-label={text.panes.drawing}
       onKeyDown={canvasKey}

@@ -82,7 +82,7 @@ export function ConnectTo({ id, from }: { id: string; from?: string }) {
   const [output, setOutput] = useState(from ?? sources[0] ?? id);
   const [previous, setPrevious] = useState(false);
   const [choices, setChoices] = useState<Choice[] | null>(null);
-  // of the text as it is when the dialog opens
+  // biome-ignore lint/correctness/useExhaustiveDependencies: another file has other inputs
   useEffect(() => {
     const wire = withPrevious(output, previous);
     api

@@ -54,7 +54,7 @@ export function TableView() {
   const selected = new Set(selection);
   const problems = problemsPer(model.problems);
   return (
-    // a region that scrolls can be reached by the keyboard
+    // biome-ignore lint/a11y/noNoninteractiveTabindex: a region that scrolls can be reached by the keyboard
     <section className="table-view" tabIndex={0} aria-label={text.panes.table}>
       <table>
         <caption>{text.table.caption}</caption>

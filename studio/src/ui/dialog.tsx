@@ -14,7 +14,7 @@ export function Modal({ title, children, wide }: { title: string; children: Reac
     return () => before?.focus?.();
   }, []);
   return (
-    // Escape is the dialog's own; this is the click beside it
+    // biome-ignore lint/a11y/useKeyWithClickEvents: Escape is the dialog's own; this is the click beside it
     <dialog
       ref={element}
       className={wide ? 'wide' : ''}

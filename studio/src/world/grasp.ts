@@ -77,12 +77,12 @@ export class Grasp {
     const one = this.gesture;
     const { ghost } = this.intent.current;
     this.gesture = null;
-    if (!one || !mayReach()) return this.forget();
-    if (one.held && ghost) {
+    const may = one !== null && mayReach();
+    if (may && one.held && ghost) {
       void putObstacle(ghost.mover, ghost.at).then(() => this.forget()); // the ghost stays until it is answered
       return;
     }
-    if (!one.moved && !one.held && maySetGoal()) void setGoal(this.point(event));
+    if (may && !one.moved && !one.held && maySetGoal()) void setGoal(this.point(event));
     this.forget();
   }
 

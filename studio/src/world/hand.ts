@@ -47,9 +47,9 @@ export function useHand(view: { current: View | null }, intent: { current: Inten
 
   // Escape lets go of what is held.
   useEffect(() => {
-    const escape = (event: KeyboardEvent) => event.key === 'Escape' && grasp.giveUp();
-    addEventListener('keydown', escape);
-    return () => removeEventListener('keydown', escape);
+    const letGo = (event: KeyboardEvent) => event.key === 'Escape' && grasp.giveUp();
+    addEventListener('keydown', letGo);
+    return () => removeEventListener('keydown', letGo);
   }, [grasp]);
 
   return { onPointerDown: down, onPointerMove: move, onPointerUp: up, onPointerCancel: cancel, onPointerLeave: leave };

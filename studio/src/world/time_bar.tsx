@@ -11,7 +11,7 @@ function Marks({ timeline, first, end }: { timeline: Timeline; first: number; en
   const span = Math.max(end - first, 1e-3);
   return timeline.interventions.map((one, i) => (
     <i
-      // they are only ever added
+      // biome-ignore lint/suspicious/noArrayIndexKey: they are only ever added
       key={i}
       className="time-mark"
       aria-hidden="true"
