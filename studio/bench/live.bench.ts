@@ -1,8 +1,8 @@
 // A run of a hundred robots, watched: sixty components with a value on every wire, at thirty ticks a second.
 import type { CDPSession, Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, test } from 'vitest';
-import type { RunState } from '../src/api/types';
 import { open, Studio } from '../browser/studio';
+import type { RunState } from '../src/api/types';
 import { cpu_s, favour, resident_MiB, trend } from './processes';
 import { atLeast, printRows, row } from './rows';
 import { kComponents, writeSwarm } from './swarm';
@@ -100,32 +100,39 @@ test('values and frames keep up', async () => {
   if (process.env.GANGLION_BENCH_SHOT) await page.screenshot({ path: process.env.GANGLION_BENCH_SHOT });
 });
 
-test('memory stays as it is', async () => {
-  const [pagePid] = await studio.browserPids();
-  const taken: { t: number; heap: number; page: number; server: number }[] = [];
-  const begun = performance.now() / 1000;
-  for (let t = 0; t <= kLong_s; t = performance.now() / 1000 - begun) {
-    await session.send('HeapProfiler.collectGarbage');
-    const heap = ((await metrics()).get('JSHeapUsedSize') ?? 0) / (1 << 20);
-    taken.push({ t, heap, page: resident_MiB(pagePid), server: resident_MiB(studio.pid) });
-    if (process.env.GANGLION_BENCH_SAMPLES) console.log(JSON.stringify(taken.at(-1)));
-    await pause(kSample_s);
-  }
-  const settled = taken.filter((one) => one.t >= Math.min(kSettled_s, kLong_s / 2));
-  for (const what of ['heap', 'page', 'server'] as const) {
-    const values = settled.map((one) => one[what]);
-    const { rise, change } = trend(settled.map((one) => one.t), values);
-    const name = { heap: "page's heap after collecting", page: "page's process", server: "server's process" }[what];
-    row(
-      `memory over ${(kLong_s / 60).toFixed(0)} min: ${name}`,
-      `${values[0].toFixed(1)} to ${values.at(-1)?.toFixed(1)} MiB, ${(60 * rise).toFixed(2)} MiB/min`,
-      `within ${100 * kFlat_share} %`,
-      change <= kFlat_share * values[0],
-    );
-  }
-  await page.context().close();
-  await ask(studio.url, '/api/run/stop', {});
-}, 1000 * (kLong_s + 120));
+test(
+  'memory stays as it is',
+  async () => {
+    const [pagePid] = await studio.browserPids();
+    const taken: { t: number; heap: number; page: number; server: number }[] = [];
+    const begun = performance.now() / 1000;
+    for (let t = 0; t <= kLong_s; t = performance.now() / 1000 - begun) {
+      await session.send('HeapProfiler.collectGarbage');
+      const heap = ((await metrics()).get('JSHeapUsedSize') ?? 0) / (1 << 20);
+      taken.push({ t, heap, page: resident_MiB(pagePid), server: resident_MiB(studio.pid) });
+      if (process.env.GANGLION_BENCH_SAMPLES) console.log(JSON.stringify(taken.at(-1)));
+      await pause(kSample_s);
+    }
+    const settled = taken.filter((one) => one.t >= Math.min(kSettled_s, kLong_s / 2));
+    for (const what of ['heap', 'page', 'server'] as const) {
+      const values = settled.map((one) => one[what]);
+      const { rise, change } = trend(
+        settled.map((one) => one.t),
+        values,
+      );
+      const name = { heap: "page's heap after collecting", page: "page's process", server: "server's process" }[what];
+      row(
+        `memory over ${(kLong_s / 60).toFixed(0)} min: ${name}`,
+        `${values[0].toFixed(1)} to ${values.at(-1)?.toFixed(1)} MiB, ${(60 * rise).toFixed(2)} MiB/min`,
+        `within ${100 * kFlat_share} %`,
+        change <= kFlat_share * values[0],
+      );
+    }
+    await page.context().close();
+    await ask(studio.url, '/api/run/stop', {});
+  },
+  1000 * (kLong_s + 120),
+);
 
 /** One run of its own, looked at by so many. */
 async function watched(viewers: number, pace: number): Promise<void> {
@@ -135,7 +142,12 @@ async function watched(viewers: number, pace: number): Promise<void> {
   await expect.poll(async () => (await runState()).state, { timeout: 20_000 }).toBe('running');
   await pause(3);
   const bytes = () => all.reduce((sum, one) => sum + one.bytes, 0);
-  const look = async () => ({ at: performance.now() / 1000, bytes: bytes(), cpu: cpu_s(studio.pid), time_s: (await runState()).time_s });
+  const look = async () => ({
+    at: performance.now() / 1000,
+    bytes: bytes(),
+    cpu: cpu_s(studio.pid),
+    time_s: (await runState()).time_s,
+  });
   const before = await look();
   await pause(10);
   const after = await look();

@@ -27,9 +27,7 @@ export function printRows(): void {
   const [name, figure, bar] = [wide((one) => one.name), wide((one) => one.figure), wide((one) => one.bar)];
   for (const one of rows) {
     const mark = one.met ? '' : '  FALLS SHORT';
-    process.stdout.write(
-      `${one.name.padEnd(name)}  ${one.figure.padStart(figure)}  ${one.bar.padEnd(bar)}${mark}\n`,
-    );
+    process.stdout.write(`${one.name.padEnd(name)}  ${one.figure.padStart(figure)}  ${one.bar.padEnd(bar)}${mark}\n`);
   }
   rows.length = 0;
 }

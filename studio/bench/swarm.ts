@@ -33,7 +33,11 @@ function component(part: string, id: string, lines: string[]): string {
 function robot(): string {
   let toml = kRobot;
   for (let i = 0; i < kSonars; i += 1)
-    toml += component('sensor', `sonar${i}`, ['kind = "Sonar"', 'x_m = 0.1', `yaw_deg = ${(i * 360) / kSonars - 157.5}`]);
+    toml += component('sensor', `sonar${i}`, [
+      'kind = "Sonar"',
+      'x_m = 0.1',
+      `yaw_deg = ${(i * 360) / kSonars - 157.5}`,
+    ]);
   return toml;
 }
 
@@ -47,7 +51,10 @@ function controller(): string {
     toml += component('sensing', `clear${i}`, ['kind = "SonarConditioner"', `in.raw_range = "sonar${i}"`]);
     toml += component('sensing', `closing${i}`, ['kind = "ClosingSpeed"', `in.range = "clear${i}.range"`]);
   }
-  const eyes = (i: number) => [`in.left = "clear${(i + 4) % kSonars}.range"`, `in.right = "clear${(i + 3) % kSonars}.range"`];
+  const eyes = (i: number) => [
+    `in.left = "clear${(i + 4) % kSonars}.range"`,
+    `in.right = "clear${(i + 3) % kSonars}.range"`,
+  ];
   for (let i = 0; i < 11; i += 1) {
     toml += component('acting', `escape${i}`, [
       'kind = "Escape"',
@@ -57,7 +64,11 @@ function controller(): string {
     ]);
   }
   for (let i = 0; i < 11; i += 1)
-    toml += component('acting', `avoid${i}`, ['kind = "AvoidObstacle"', ...eyes(i), `in.escaping = "escape${i}.active"`]);
+    toml += component('acting', `avoid${i}`, [
+      'kind = "AvoidObstacle"',
+      ...eyes(i),
+      `in.escaping = "escape${i}.active"`,
+    ]);
   for (let i = 0; i < 11; i += 1) {
     toml += component('acting', `hold${i}`, [
       'kind = "HoldHeading"',
@@ -67,7 +78,10 @@ function controller(): string {
     ]);
   }
   const all = ['escape', 'avoid', 'hold'].flatMap((name) => Array.from({ length: 11 }, (_, i) => `"${name}${i}"`));
-  return toml + component('coordinator', 'arbiter', ['kind = "Priority"', `in.commands = [${all.join(', ')}]`, 'command = "drive"']);
+  return (
+    toml +
+    component('coordinator', 'arbiter', ['kind = "Priority"', `in.commands = [${all.join(', ')}]`, 'command = "drive"'])
+  );
 }
 
 export const kComponents = 60;

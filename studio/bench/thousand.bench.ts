@@ -38,7 +38,10 @@ function rowsOf(name: string, taken: Taken[], bar_ms: number): void {
   atMost(`${name}, key to paint: 95 %`, quantile(shown, 0.95), bar_ms, 'ms');
   atMost(`${name}, key to paint: worst`, Math.max(...shown), bar_ms, 'ms');
   const busy = taken.map((one) => one.busy_ms);
-  row(`${name}, work of the main thread: median, 95 %, worst`, `${quantile(busy, 0.5).toFixed(0)}, ${quantile(busy, 0.95).toFixed(0)}, ${Math.max(...busy).toFixed(0)} ms`);
+  row(
+    `${name}, work of the main thread: median, 95 %, worst`,
+    `${quantile(busy, 0.5).toFixed(0)}, ${quantile(busy, 0.95).toFixed(0)}, ${Math.max(...busy).toFixed(0)} ms`,
+  );
 }
 
 test('opens, pans and drags', async () => {
@@ -48,7 +51,12 @@ test('opens, pans and drags', async () => {
   atMost('1,000 components open', performance.now() - before, kOpenBar_ms, 'ms');
   await page.mouse.move(420, 300);
   await page.mouse.down();
-  atLeast('pan', await framesWhile(page, (step) => page.mouse.move(420 + 3 * step, 300 + step)), kFramesBar, 'frames/s');
+  atLeast(
+    'pan',
+    await framesWhile(page, (step) => page.mouse.move(420 + 3 * step, 300 + step)),
+    kFramesBar,
+    'frames/s',
+  );
   await page.mouse.up();
   await find(page, 'c250');
   await page.waitForTimeout(300);
@@ -76,7 +84,10 @@ async function editAround(i: number): Promise<void> {
   await find(page, `c${i}`);
   await onDrawing();
   await timed('move', 'Alt+ArrowDown');
-  const field = page.locator('.right').getByLabel(/^readings/).first();
+  const field = page
+    .locator('.right')
+    .getByLabel(/^readings/)
+    .first();
   await field.focus();
   await page.keyboard.press('Control+A');
   await page.keyboard.type(`${1 + (i % 5)}`);

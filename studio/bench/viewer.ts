@@ -36,7 +36,10 @@ export class Viewer {
 export async function ask<T>(url: string, path: string, body?: object): Promise<T> {
   const { origin, searchParams } = new URL(url);
   const headers = { Authorization: `Bearer ${searchParams.get('token')}`, Origin: origin };
-  const answer = await fetch(origin + path, body ? { method: 'POST', headers, body: JSON.stringify(body) } : { headers });
+  const answer = await fetch(
+    origin + path,
+    body ? { method: 'POST', headers, body: JSON.stringify(body) } : { headers },
+  );
   if (!answer.ok) throw new Error(await answer.text());
   return (await answer.json()) as T;
 }

@@ -136,7 +136,10 @@ async function commandPalette(page: Page, words: string): Promise<void> {
 
 /** Tab to the element, as one without a mouse must; fails if Tab never comes there. */
 async function tabTo(page: Page, label: string, within = page.locator('body')): Promise<void> {
-  const wanted = within.getByLabel(label, { exact: true }).or(within.getByTitle(label, { exact: true })).first();
+  const wanted = within
+    .getByLabel(label, { exact: true })
+    .or(within.getByTitle(label, { exact: true }))
+    .first();
   for (let i = 0; i < 150; i += 1) {
     if (await wanted.evaluate((element) => element === document.activeElement)) return;
     await page.keyboard.press('Tab');

@@ -100,7 +100,7 @@ test('the recorded run shows the same, by time', async () => {
 test('a run is stopped and started again from the start', async () => {
   await page.locator('.run-bar select').selectOption('1');
   await bar('Start again').click();
-  await expect.poll(state).toBe('armed');  // as it was configured
+  await expect.poll(state).toBe('armed'); // as it was configured
   await bar('Pause or go on').click();
   await expect.poll(state).toBe('running');
   await bar('Stop').click();

@@ -52,19 +52,37 @@ test('the inspector shows it as text', async () => {
   await page.keyboard.type('onerror');
   await page.keyboard.press('Enter');
   await expect.poll(() => page.locator('.right h2').innerText()).toContain(kMarkup);
-  await expect.poll(() => page.locator('.right pre').allInnerTexts().then((all) => all.join())).toContain(`= "<img`);
+  await expect
+    .poll(() =>
+      page
+        .locator('.right pre')
+        .allInnerTexts()
+        .then((all) => all.join()),
+    )
+    .toContain(`= "<img`);
   await nothingCameOfIt(page);
 });
 
 test('the problems show it as text', async () => {
   const head = page.locator('.problems-head');
   if ((await head.getAttribute('aria-expanded')) !== 'true') await head.click();
-  await expect.poll(() => page.locator('.problem').allInnerTexts().then((all) => all.join())).toContain('onerror');
+  await expect
+    .poll(() =>
+      page
+        .locator('.problem')
+        .allInnerTexts()
+        .then((all) => all.join()),
+    )
+    .toContain('onerror');
   await nothingCameOfIt(page);
 });
 
 test('the table shows it as text', async () => {
-  await page.getByRole('tab', { name: 'Table' }).or(page.getByRole('button', { name: 'Table', exact: true })).first().click();
+  await page
+    .getByRole('tab', { name: 'Table' })
+    .or(page.getByRole('button', { name: 'Table', exact: true }))
+    .first()
+    .click();
   await expect.poll(() => page.locator('.table-view').innerText()).toContain(kMarkup);
   await nothingCameOfIt(page);
 });

@@ -14,8 +14,16 @@ export async function watchPage(page: Page): Promise<void> {
   await page.evaluate(() => {
     const watch: PageWatch = { key_ms: 0, changed: false, painted_ms: 0 };
     (window as unknown as { watch: PageWatch }).watch = watch;
-    addEventListener('keydown', (event) => { watch.key_ms = event.timeStamp; }, true);
-    new MutationObserver(() => { watch.changed = true; }).observe(document.body, {
+    addEventListener(
+      'keydown',
+      (event) => {
+        watch.key_ms = event.timeStamp;
+      },
+      true,
+    );
+    new MutationObserver(() => {
+      watch.changed = true;
+    }).observe(document.body, {
       subtree: true,
       childList: true,
       attributes: true,
@@ -23,7 +31,9 @@ export async function watchPage(page: Page): Promise<void> {
     });
     // The task after a frame's callbacks begins when style, layout and paint of that frame are done.
     const painted = new MessageChannel();
-    painted.port1.onmessage = () => { watch.painted_ms = performance.now(); };
+    painted.port1.onmessage = () => {
+      watch.painted_ms = performance.now();
+    };
     const frame = () => {
       if (watch.changed) painted.port2.postMessage(0);
       watch.changed = false;

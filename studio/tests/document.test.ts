@@ -1,23 +1,10 @@
 import { beforeEach, describe, expect, test, vi } from 'vitest';
 import { usePresence } from '../src/api/presence';
-import { startAutosave } from '../src/document/autosave';
-import {
-  current,
-  edit,
-  fileChanged,
-  isDirty,
-  kept,
-  openDocument,
-  overwrite,
-  recoverDraft,
-  redo,
-  save,
-  select,
-  undo,
-  useDocument,
-} from '../src/document/document';
 import type { Model } from '../src/api/types';
-import { share } from '../src/document/share';
+import { startAutosave } from '../src/document/autosave';
+import { fileChanged, openDocument, overwrite, recoverDraft, save } from '../src/state/disk';
+import { current, edit, isDirty, kept, redo, select, undo, useDocument } from '../src/state/document';
+import { share } from '../src/state/share';
 import { StubServer } from './stub';
 
 let server: StubServer;
@@ -115,7 +102,9 @@ describe('the history', () => {
 
 describe('what an edit leaves alone', () => {
   test('stays the same object though its lines have moved on', () => {
-    const at = (line: number) => ({ components: [{ id: 'a', line, inputs: [{ port: 'in', wires: [{ text: 'b', line }] }] }] });
+    const at = (line: number) => ({
+      components: [{ id: 'a', line, inputs: [{ port: 'in', wires: [{ text: 'b', line }] }] }],
+    });
     const before = at(3);
     expect(share(before, at(4))).toBe(before);
   });

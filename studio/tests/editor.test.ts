@@ -1,11 +1,11 @@
 import { describe, expect, test } from 'vitest';
 import type { Kind } from '../src/api/types';
 import { keyName } from '../src/commands/keys';
-import { handleOf, inputsOf, outputsOf } from '../src/document/kinds';
-import { numberOf } from '../src/editor/field';
 import { signalsOf } from '../src/editor/graph';
 import { neighbour } from '../src/editor/keyboard';
 import { arrange, arrangeMissing, boxesOf } from '../src/editor/placing';
+import { handleOf, inputsOf, outputsOf } from '../src/state/kinds';
+import { numberOf } from '../src/text/numbers';
 import { component, model, output, wire } from './stub';
 
 const help = { en: '', es: '' };

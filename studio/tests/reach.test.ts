@@ -1,9 +1,9 @@
 import { describe, expect, test } from 'vitest';
 import type { Info, InterventionEvent, Scene } from '../src/api/types';
+import { Timeline } from '../src/state/timeline';
 import { en } from '../src/text/en';
 import { es } from '../src/text/es';
 import { cellAt, goalCell_m, interventionWords, moverAt } from '../src/world/reach';
-import { Timeline } from '../src/world/timeline';
 import { View } from '../src/world/view';
 
 const corners: [number, number][] = [
@@ -26,7 +26,13 @@ const sensor = { x_m: 0, y_m: 0, yaw_rad: 0, cone_rad: 0, max_range_m: 0, signal
 const info: Info = {
   robots: [
     { name: 'a', length_m: 1, width_m: 1, radius_m: 1, sensors: [{ ...sensor, id: 's', kind: 'Sonar' }] },
-    { name: 'b', length_m: 1, width_m: 1, radius_m: 1, sensors: [{ ...sensor, id: 't', kind: 'Trainer', cell_m: 0.5 }] },
+    {
+      name: 'b',
+      length_m: 1,
+      width_m: 1,
+      radius_m: 1,
+      sensors: [{ ...sensor, id: 't', kind: 'Trainer', cell_m: 0.5 }],
+    },
   ],
   coordinators: [],
   cell_m: 0.2,
@@ -68,7 +74,15 @@ describe('what a pointer finds', () => {
 
 test('what was done shows at once, before the tick it counts for', () => {
   const timeline = new Timeline([], scene, info);
-  const done: InterventionEvent = { event: 'intervention', time_s: 4, tick: 4, what: 'goal', robot: 1, x_m: 2.346, y_m: 9 };
+  const done: InterventionEvent = {
+    event: 'intervention',
+    time_s: 4,
+    tick: 4,
+    what: 'goal',
+    robot: 1,
+    x_m: 2.346,
+    y_m: 9,
+  };
   timeline.addEvent(done);
   expect(timeline.end).toBe(4);
   expect(interventionWords(done, en)).toBe('by hand: goal at 2.35, 9.00');

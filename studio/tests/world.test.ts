@@ -1,9 +1,10 @@
 import { describe, expect, test } from 'vitest';
 import { decodeMessage, decodeSample, decodeSamples } from '../src/api/samples';
 import type { Stream } from '../src/api/types';
+import { MapTrack } from '../src/state/map_track';
+import { indexAt, RowTrack } from '../src/state/rows';
+import { Timeline } from '../src/state/timeline';
 import { candidatesAt } from '../src/world/drives';
-import { indexAt, RowTrack } from '../src/world/rows';
-import { MapTrack, Timeline } from '../src/world/timeline';
 
 const row: Stream = {
   stream: 1,

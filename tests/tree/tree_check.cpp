@@ -6,25 +6,22 @@
 #include <regex>
 #include <set>
 
+#include "tests/tree/source.h"
+
 namespace ganglion::tree {
 namespace {
 
-std::vector<std::string> lines_of(std::string_view text) {
-  std::vector<std::string> lines;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    lines.emplace_back(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return lines;
+const std::string kSources = "ganglion/";
+const std::string kPage = "studio/src/";
+
+/// "sim" of "ganglion/sim/world/world.cpp" below "ganglion/"; "" of a file elsewhere, or of one that lies in no folder.
+std::string folder_below(const std::string& root, const std::string& file) {
+  if (!file.starts_with(root)) return "";
+  const std::size_t end = file.find('/', root.size());
+  return end == std::string::npos ? "" : file.substr(root.size(), end - root.size());
 }
 
-/// "sim" of "ganglion/sim/world/world.cpp"; "" of a file elsewhere.
-std::string area_of(const std::string& file) {
-  static const std::regex kArea("^ganglion/([^/]+)/.*");
-  std::smatch match;
-  return std::regex_match(file, match, kArea) ? match[1].str() : "";
-}
+std::string area_of(const std::string& file) { return folder_below(kSources, file); }
 
 std::optional<std::size_t> rank_of(const std::string& area, const Layers& layers) {
   for (std::size_t rank = 0; rank < layers.size(); ++rank) {
@@ -33,18 +30,20 @@ std::optional<std::size_t> rank_of(const std::string& area, const Layers& layers
   return std::nullopt;
 }
 
-bool is_test(const std::string& file) {
-  return file.ends_with("_test.cpp") || file.find("/testing/") != std::string::npos;
+/// Imports from below `root` that lead to a folder beside the file's own or above it.
+Findings against_order(const Imports& imports, const std::string& root, const Layers& layers) {
+  Findings findings;
+  for (const Import& import : imports) {
+    if (!import.to.starts_with(root)) continue;
+    const std::string mine = folder_below(root, import.from), theirs = folder_below(root, import.to);
+    const auto my_rank = rank_of(mine, layers), their_rank = rank_of(theirs, layers);
+    if (theirs == mine || (their_rank && *their_rank < *my_rank)) continue;
+    findings.push_back({import.from, import.line, root + mine + " must not use " + root + theirs});
+  }
+  return findings;
 }
 
-bool is_cpp(const std::string& file) { return file.ends_with(".cpp") || file.ends_with(".h"); }
-
-std::string folder_of(const std::string& file) { return file.substr(0, file.rfind('/')); }
-std::string name_of(const std::string& file) { return file.substr(file.rfind('/') + 1); }
-
 }  // namespace
-
-std::string Finding::text() const { return file + ":" + std::to_string(line) + ": " + what; }
 
 Layers parse_layers(std::string_view cmake_text) {
   constexpr std::string_view kStart = "set(GANGLION_LAYERS";
@@ -64,23 +63,31 @@ Layers parse_layers(std::string_view cmake_text) {
   return layers;
 }
 
+Layers parse_floors(std::string_view text) {
+  Layers floors;
+  for (std::string line : lines_of(text)) {
+    line.erase(std::min(line.find('#'), line.size()));
+    static const std::regex kName("[^|\\s]+");
+    std::vector<std::string> beside;
+    for (std::sregex_iterator name(line.begin(), line.end(), kName), end; name != end; ++name)
+      beside.push_back(name->str());
+    if (!beside.empty()) floors.push_back(std::move(beside));
+  }
+  return floors;
+}
+
 Findings check_includes(const std::string& file, std::string_view text, const Layers& layers) {
   const std::string mine = area_of(file);
   if (mine.empty() || !is_cpp(file) || is_test(file)) return {};
-  const auto my_rank = rank_of(mine, layers);
-  if (!my_rank) return {{file, 1, "ganglion/" + mine + " is not in GANGLION_LAYERS"}};
-  Findings findings;
-  static const std::regex kInclude("^\\s*#\\s*include\\s*\"(ganglion/([^/\"]+)/[^\"]*)\".*");
-  const std::vector<std::string> lines = lines_of(text);
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    std::smatch match;
-    if (!std::regex_match(lines[i], match, kInclude)) continue;
-    const std::string theirs = match[2].str();
-    const auto their_rank = rank_of(theirs, layers);
-    if (theirs == mine || (their_rank && *their_rank < *my_rank)) continue;
-    findings.push_back({file, static_cast<int>(i) + 1, "ganglion/" + mine + " must not use ganglion/" + theirs});
-  }
-  return findings;
+  if (!rank_of(mine, layers)) return {{file, 1, "ganglion/" + mine + " is not in GANGLION_LAYERS"}};
+  return against_order(imports_of(file, text), kSources, layers);
+}
+
+Findings check_floors(const std::string& file, std::string_view text, const Layers& floors) {
+  const std::string mine = folder_below(kPage, file);
+  if (mine.empty()) return {};
+  if (!rank_of(mine, floors)) return {{file, 1, kPage + mine + " is not in floors.txt"}};
+  return against_order(imports_of(file, text), kPage, floors);
 }
 
 Findings check_length(const std::string& file, std::string_view text, int most_lines) {
@@ -156,62 +163,6 @@ Findings check_tests(const std::vector<std::string>& files,
     findings.push_back({folder, 0, "has sources and no test"});
   }
   return findings;
-}
-
-std::string code_of(std::string_view text) {
-  std::string code(text);
-  const auto blank = [&](std::size_t from, std::size_t to) {
-    for (std::size_t i = from; i < std::min(to, code.size()); ++i) code[i] = code[i] == '\n' ? '\n' : ' ';
-  };
-  const auto past = [&](std::string_view closing, std::size_t from) {
-    const std::size_t found = text.find(closing, from);
-    return found == std::string_view::npos ? text.size() : found + closing.size();
-  };
-  const auto past_quote = [&](char quote, std::size_t at) {
-    while (at < text.size() && text[at] != quote && text[at] != '\n') at += text[at] == '\\' ? 2 : 1;
-    return std::min(at + 1, text.size());
-  };
-  for (std::size_t at = 0; at < text.size();) {
-    const std::string_view rest = text.substr(at);
-    std::size_t end = at + 1;
-    if (rest.starts_with("//")) {
-      end = std::min(text.find('\n', at), text.size());
-      blank(at, end);
-    } else if (rest.starts_with("/*")) {
-      end = past("*/", at + 2);
-      blank(at, end);
-    } else if (rest.starts_with("R\"")) {
-      const std::string closing = ")" + std::string(rest.substr(2, std::min(rest.find('('), rest.size()) - 2)) + "\"";
-      end = past(closing, at + 2);
-      blank(at, end);
-    } else if (rest.front() == '"') {
-      end = past_quote('"', at + 1);
-      blank(at + 1, end - 1);
-    } else if (rest.front() == '\'' && (at == 0 || !std::isalnum(static_cast<unsigned char>(text[at - 1])))) {
-      end = past_quote('\'', at + 1);
-      blank(at + 1, end - 1);
-    }
-    at = end;
-  }
-  return code;
-}
-
-std::vector<std::string> source_files(const std::filesystem::path& root) {
-  static const std::set<std::string> kOthers = {"build", "node_modules", "dist", "runs"};
-  static const std::set<std::string> kTexts = {"",       ".h",    ".cpp", ".c",   ".cmake", ".txt", ".md",   ".toml",
-                                               ".ts",    ".tsx",  ".js",  ".mjs", ".py",    ".sh",  ".json", ".in",
-                                               ".proto", ".html", ".css", ".yml", ".yaml",  ".fll"};
-  std::vector<std::string> files;
-  for (auto at = std::filesystem::recursive_directory_iterator(root); at != std::filesystem::end(at); ++at) {
-    const std::string name = at->path().filename().string();
-    if (at->is_directory()) {
-      if (kOthers.contains(name) || (name.front() == '.' && name != ".ci")) at.disable_recursion_pending();
-    } else if (at->is_regular_file() && name != ".git" && kTexts.contains(at->path().extension().string())) {
-      files.push_back(std::filesystem::relative(at->path(), root).generic_string());
-    }
-  }
-  std::sort(files.begin(), files.end());
-  return files;
 }
 
 }  // namespace ganglion::tree

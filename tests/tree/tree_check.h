@@ -1,31 +1,31 @@
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "tests/tree/source.h"
+
 /// What the compiler does not hold the tree to: the order of its layers, sizes, what tick code may call.
 namespace ganglion::tree {
-
-/// Something that must not be, as "file:line: what". Paths are relative to the root of the sources.
-struct Finding {
-  std::string file;
-  int line = 0;
-  std::string what;
-  std::string text() const;
-};
-using Findings = std::vector<Finding>;
 
 /// The order of the folders below ganglion/, earliest first; folders of one layer stand beside each other.
 using Layers = std::vector<std::vector<std::string>>;
 
-/// The one list there is: GANGLION_LAYERS in the text of cmake/GanglionTargets.cmake. Empty if it is not there.
+/// The one list there is for C++: GANGLION_LAYERS in the text of cmake/GanglionTargets.cmake. Empty if it is not there.
 Layers parse_layers(std::string_view cmake_text);
+
+/// The one list there is for the studio's page, studio/src/floors.txt: a floor a line, folders on it parted by "|",
+/// what follows "#" is for readers.
+Layers parse_floors(std::string_view text);
 
 /// Includes of a layer that this file's own must not know. Tests may: they link what they need and nobody links them.
 Findings check_includes(const std::string& file, std::string_view text, const Layers& layers);
+
+/// Imports of a file below studio/src that lead to a folder on its own floor or above it. What lies in studio/src
+/// itself starts the page and may use all of it.
+Findings check_floors(const std::string& file, std::string_view text, const Layers& floors);
 
 /// Longer than a reader takes in.
 Findings check_length(const std::string& file, std::string_view text, int most_lines);
@@ -43,11 +43,5 @@ Findings check_machine_paths(const std::string& file, std::string_view text);
 /// header of theirs, or by one named after them. What only serves tests, testing/, needs none.
 Findings check_tests(const std::vector<std::string>& files,
                      const std::function<std::string(const std::string&)>& text_of);
-
-/// The same text with comments and the contents of strings and characters blanked, line ends kept.
-std::string code_of(std::string_view text);
-
-/// The files people wrote: everything but what builds and tools leave behind. Relative to `root`, sorted.
-std::vector<std::string> source_files(const std::filesystem::path& root);
 
 }  // namespace ganglion::tree

@@ -4,6 +4,7 @@
 #include <functional>
 #include <iterator>
 
+#include "tests/tree/circles.h"
 #include "tests/tree/tree_check.h"
 
 namespace ganglion::tree {
@@ -38,6 +39,39 @@ TEST(Tree, KeepsTheOrderOfItsLayers) {
   const Layers layers = parse_layers(text_of("cmake/GanglionTargets.cmake"));
   ASSERT_GT(layers.size(), 10u);
   EXPECT_EQ(found([&](const auto& file, const auto& text) { return check_includes(file, text, layers); }), "");
+}
+
+TEST(Tree, KeepsTheFloorsOfThePage) {
+  const Layers floors = parse_floors(text_of("studio/src/floors.txt"));
+  ASSERT_GT(floors.size(), 5u);
+  EXPECT_EQ(found([&](const auto& file, const auto& text) { return check_floors(file, text, floors); }), "");
+  for (const std::vector<std::string>& floor : floors) {
+    for (const std::string& folder : floor)
+      EXPECT_TRUE(std::filesystem::is_directory(kRoot / "studio/src" / folder)) << folder << " is in floors.txt only";
+  }
+}
+
+/// What the files below a folder import, tests aside.
+Imports imports_below(const std::string& root) {
+  Imports all;
+  for (const std::string& file : files()) {
+    if (!file.starts_with(root) || is_test(file)) continue;
+    for (const Import& import : imports_of(file, text_of(file)))
+      if (!is_test(import.to)) all.push_back(import);
+  }
+  return all;
+}
+
+TEST(Tree, HasNoFoldersThatNameEachOtherInACircle) {
+  for (const char* root : {"ganglion/", "studio/src/"}) {
+    const Imports imports = imports_below(root);
+    EXPECT_GT(imports.size(), 100u) << root;
+    EXPECT_EQ(told(check_folder_circles(imports)), "");
+  }
+}
+
+TEST(Tree, HasNoFilesOfThePageThatNameEachOtherInACircle) {
+  EXPECT_EQ(told(check_file_circles(imports_below("studio/src/"))), "");
 }
 
 TEST(Tree, HasNoFileTooLongToRead) {
@@ -85,6 +119,29 @@ TEST(CheckIncludes, FindsLaterLayersNeighboursAndStrangers) {
       check("ganglion/graph/a.cpp", "#include \"ganglion/sim/a.h\"\n#include \"ganglion/graph/b.h\"\n#include <map>\n"),
       "");
   EXPECT_EQ(check("ganglion/acting/a/a_test.cpp", "#include \"ganglion/graph/testing/rig.h\"\n"), "");
+}
+
+TEST(Floors, AreReadFromTheirFile) {
+  EXPECT_EQ(parse_floors("# the floors\n\nbase  # lowest\nmodule\nacting | sim   # beside each other\n graph\n"),
+            kLayers);
+}
+
+TEST(CheckFloors, FindsFloorsAboveNeighboursAndStrangers) {
+  const auto check = [](const char* file, const char* text) { return told(check_floors(file, text, kLayers)); };
+  EXPECT_EQ(check("studio/src/module/a.ts", "\nimport { b } from '../graph/b';\n"),
+            "studio/src/module/a.ts:2: studio/src/module must not use studio/src/graph\n");
+  EXPECT_EQ(check("studio/src/acting/a.tsx", "import type {\n  B,\n} from '../sim/b';\n"),
+            "studio/src/acting/a.tsx:3: studio/src/acting must not use studio/src/sim\n");
+  EXPECT_EQ(check("studio/src/base/deep/a.ts", "const b = lazy(() => import('../../graph/b'));\n"),
+            "studio/src/base/deep/a.ts:1: studio/src/base must not use studio/src/graph\n");
+  EXPECT_EQ(check("studio/src/graph/a.ts", "export * from '../main';\n"),
+            "studio/src/graph/a.ts:1: studio/src/graph must not use studio/src/\n");
+  EXPECT_EQ(check("studio/src/nowhere/a.ts", ""),
+            "studio/src/nowhere/a.ts:1: studio/src/nowhere is not in floors.txt\n");
+  EXPECT_EQ(
+      check("studio/src/graph/a.ts", "import '../sim/a.css';\nimport { b } from './b';\nimport c from 'react';\n"), "");
+  EXPECT_EQ(check("studio/src/main.ts", "import { b } from './graph/b';\n"), "");
+  EXPECT_EQ(check("studio/tests/a.test.ts", "import { b } from '../src/graph/b';\n"), "");
 }
 
 TEST(CheckLength, CountsLines) {

@@ -126,8 +126,7 @@ export const api = {
   pace: (pace: number) => post<{ state: RunState }>('/api/run/pace', { pace }),
 
   setGoal: (robot: number, x_m: number, y_m: number) => post<Reached>('/api/run/goal', { robot, x_m, y_m }),
-  putObstacle: (mover: string, x_m: number, y_m: number) =>
-    post<Reached>('/api/run/obstacle', { mover, x_m, y_m }),
+  putObstacle: (mover: string, x_m: number, y_m: number) => post<Reached>('/api/run/obstacle', { mover, x_m, y_m }),
 
   recording: (path: string) => post<Recording>('/api/recording/open', { path }),
   samples: async (path: string) => (await send('/api/recording/samples', { path })).arrayBuffer(),

@@ -1,7 +1,7 @@
+import { closeDialog } from '../state/workbench';
 import { useText } from '../text/text';
 import { Modal } from '../ui/dialog';
 import { PickList } from '../ui/pick_list';
-import { closeDialog } from '../ui/workbench';
 import { carryOut, kCommands } from './commands';
 
 export function CommandPalette() {

@@ -1,13 +1,15 @@
 import { api } from '../api/client';
-import { current, redo, save, select, undo, useDocument } from '../document/document';
 import { align, copy, cut, distribute, duplicate, paste, remove, tidy } from '../editor/actions';
 import { fit } from '../editor/canvas_handle';
-import { start, useRun } from '../run/run';
+import { start } from '../run/start';
+import { save } from '../state/disk';
+import { current, redo, select, undo, useDocument } from '../state/document';
+import { player, usePlayer } from '../state/player';
+import { filesChanged, useRun } from '../state/run';
+import { complain, openDialog, say, show, toast, useWorkbench } from '../state/workbench';
 import type { Dictionary } from '../text/en';
 import { text } from '../text/text';
 import { isDark, useSettings } from '../theme/settings';
-import { complain, openDialog, say, show, toast, useWorkbench } from '../ui/workbench';
-import { player, usePlayer } from '../world/player';
 import { mayPutObstacle, maySetGoal } from '../world/reach';
 
 export type CommandName = keyof Dictionary['commands'];
@@ -33,7 +35,7 @@ const first = () => useDocument.getState().selection[0];
 async function saveAndSay(): Promise<void> {
   if (await save()) {
     toast(text().save.saved);
-    useRun.setState((run) => ({ filesVersion: run.filesVersion + 1 }));
+    filesChanged();
   }
 }
 

@@ -1,4 +1,4 @@
-import { useWorkbench } from '../ui/workbench';
+import { useWorkbench } from '../state/workbench';
 import { type Command, carryOut, kCommands } from './commands';
 
 /** How a key event is written in the table: "Ctrl+Shift+Z", "F5", "?". */

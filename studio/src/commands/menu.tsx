@@ -17,7 +17,7 @@ export function Menu() {
     return () => removeEventListener('pointerdown', leave);
   }, [open]);
   return (
-    // Escape closes the menu wherever the focus is inside
+    // biome-ignore lint/a11y/noStaticElementInteractions: Escape closes the menu wherever the focus is inside
     <div
       className="menu"
       ref={root}

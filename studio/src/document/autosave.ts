@@ -1,6 +1,6 @@
 import { api } from '../api/client';
 import { patiently } from '../api/presence';
-import { current, isDirty, place, useDocument } from './document';
+import { current, isDirty, place, useDocument } from '../state/document';
 
 const kWait_ms = 800;
 
@@ -22,10 +22,12 @@ export function startAutosave(failed: (error: unknown) => void): () => void {
       if (wanted) return api.autosave(what, state.hash);
       return before.startsWith(`${what.path}\n`) ? api.discard(what.path) : Promise.resolve();
     };
-    turn = turn.then(() => patiently(send)).catch((error) => {
-      if (kept === wanted) kept = '';
-      failed(error);
-    });
+    turn = turn
+      .then(() => patiently(send))
+      .catch((error) => {
+        if (kept === wanted) kept = '';
+        failed(error);
+      });
   };
   return useDocument.subscribe((state, before) => {
     if (current(state)?.text === current(before)?.text && state.savedText === before.savedText) return;

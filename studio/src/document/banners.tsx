@@ -1,7 +1,8 @@
 import { usePresence } from '../api/presence';
+import { discardDraft, overwrite, putOffConflict, recoverDraft, takeFromDisk } from '../state/disk';
+import { useDocument } from '../state/document';
+import { complain } from '../state/workbench';
 import { useText } from '../text/text';
-import { complain } from '../ui/workbench';
-import { discardDraft, overwrite, putOffConflict, recoverDraft, takeFromDisk, useDocument } from './document';
 
 /** What must be decided before going on calmly: a draft to recover, a file that changed on the disk. */
 export function Banners() {

@@ -1,10 +1,12 @@
 import { useEffect, useState } from 'react';
 import { api } from '../api/client';
 import type { Files, RunFile } from '../api/types';
-import { chooseExperiment, configure, openRecording, useRun } from '../run/run';
+import { openDocument } from '../state/disk';
+import { useDocument } from '../state/document';
+import { openRecording } from '../state/recordings';
+import { chooseExperiment, configure, useRun } from '../state/run';
+import { complain, openDialog, show } from '../state/workbench';
 import { useText } from '../text/text';
-import { complain, openDialog, show } from '../ui/workbench';
-import { openDocument, useDocument } from './document';
 
 export async function openController(path: string): Promise<void> {
   try {
@@ -19,7 +21,7 @@ export async function openController(path: string): Promise<void> {
 export function useFiles(): Files | null {
   const version = useRun((state) => state.filesVersion);
   const [files, setFiles] = useState<Files | null>(null);
-  // read again whenever something was written
+  // biome-ignore lint/correctness/useExhaustiveDependencies: read again whenever something was written
   useEffect(() => {
     api.files().then(setFiles, complain);
   }, [version]);

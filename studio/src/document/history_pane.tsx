@@ -1,6 +1,6 @@
 import { memo } from 'react';
+import { goTo, useDocument } from '../state/document';
 import { useText } from '../text/text';
-import { goTo, useDocument } from './document';
 
 interface EntryProps {
   index: number;
@@ -34,6 +34,7 @@ export function HistoryPane() {
         {steps
           .map((step, i) => (
             <Entry
+              // biome-ignore lint/suspicious/noArrayIndexKey: a step's place in the history is what it is known by
               key={`${i} ${step.at_ms}`}
               index={i}
               words={words[step.step] ?? text.history.opened}

@@ -1,10 +1,10 @@
 import { type FormEvent, useState } from 'react';
 import { api } from '../api/client';
-import { chooseExperiment, useRun } from '../run/run';
+import { openDocument } from '../state/disk';
+import { chooseExperiment, filesChanged } from '../state/run';
+import { closeDialog, complain, show } from '../state/workbench';
 import { useText } from '../text/text';
 import { Modal } from '../ui/dialog';
-import { closeDialog, complain, show } from '../ui/workbench';
-import { openDocument } from './document';
 import { useFiles } from './files';
 
 const kFile = /^[A-Za-z0-9_-]+$/;
@@ -24,7 +24,7 @@ async function create(robot: string, file: string, name: string): Promise<void> 
   ]);
   await api.save({ path, text: made.text }, '');
   await openDocument(path);
-  useRun.setState((run) => ({ filesVersion: run.filesVersion + 1 }));
+  filesChanged();
   show('add');
   show('drawing');
   await chooseExperiment();

@@ -1,6 +1,6 @@
 import { api } from '../api/client';
 import type { Operation } from '../api/types';
-import { current, edit, place, select, useDocument } from '../document/document';
+import { current, edit, place, select, useDocument } from '../state/document';
 import { fit, places, selectedEdges } from './canvas_handle';
 import { heightOf, kWidth, portsOf } from './geometry';
 import { arrange, boxesOf, type Point } from './placing';

@@ -1,13 +1,13 @@
 import { useEffect, useState } from 'react';
 import type { ComponentClass } from '../api/types';
-import { useModel } from '../document/document';
-import { useKinds } from '../document/kinds';
+import { useModel } from '../state/document';
+import { useKinds } from '../state/kinds';
+import { closeDialog, complain } from '../state/workbench';
 import { useText } from '../text/text';
 import { useSettings } from '../theme/settings';
 import { Modal } from '../ui/dialog';
 import { ClassMark } from '../ui/icons';
 import { PickList } from '../ui/pick_list';
-import { closeDialog, complain } from '../ui/workbench';
 import { add, fitting, type Offered, offered } from './adding';
 import { middle } from './canvas_handle';
 import type { Point } from './placing';
@@ -21,7 +21,7 @@ export function AddDialog({ from, at }: { from?: string; at?: Point }) {
   const kinds = useKinds((state) => state.list);
   const language = useSettings((settings) => settings.language);
   const [fits, setFits] = useState<Fit[] | null>(null);
-  // asked once, when the dialog opens
+  // biome-ignore lint/correctness/useExhaustiveDependencies: asked once, when the dialog opens
   useEffect(() => {
     const all = offered(kinds, model, language);
     if (!from) setFits(all.map((one) => ({ one })));

@@ -1,6 +1,6 @@
 import { api } from '../api/client';
 import type { Kind, Model, Operation, Value } from '../api/types';
-import { current, edit, place, select } from '../document/document';
+import { current, edit, place, select } from '../state/document';
 import { text } from '../text/text';
 import type { Point } from './placing';
 

@@ -1,19 +1,10 @@
 import '@xyflow/react/dist/base.css';
-import {
-  Background,
-  type Connection,
-  ConnectionMode,
-  type FinalConnectionState,
-  MiniMap,
-  ReactFlow,
-  ReactFlowProvider,
-  useReactFlow,
-} from '@xyflow/react';
-import { type DragEvent, useCallback, useEffect, useMemo, useRef } from 'react';
-import { current, edit, useDocument } from '../document/document';
+import { Background, ConnectionMode, MiniMap, ReactFlow, ReactFlowProvider, useReactFlow } from '@xyflow/react';
+import { type DragEvent, useEffect, useMemo, useRef } from 'react';
+import { current, edit, useDocument } from '../state/document';
+import { complain, openDialog, say, useWorkbench } from '../state/workbench';
 import { useText } from '../text/text';
 import { Icon } from '../ui/icons';
-import { complain, openDialog, say, toast, useWorkbench } from '../ui/workbench';
 import { add, type Offered } from './adding';
 import { setCanvas } from './canvas_handle';
 import { ComponentBox } from './component_node';
@@ -22,19 +13,27 @@ import type { ComponentNode, WireEdge } from './graph';
 import { canvasKey } from './keyboard';
 import type { Point } from './placing';
 import { WireLine } from './wire_edge';
-import { connectWire, Offer } from './wiring';
+import { useWiring } from './wire_in_hand';
 
-const kNodeTypes = { component: ComponentBox };
-const kEdgeTypes = { wire: WireLine };
+/** What never changes. Keys are ours: see canvasKey and the commands. */
+const kLook = {
+  nodeTypes: { component: ComponentBox },
+  edgeTypes: { wire: WireLine },
+  connectionMode: ConnectionMode.Strict,
+  connectionRadius: 18,
+  minZoom: 0.02,
+  maxZoom: 2.5,
+  nodesFocusable: false,
+  edgesFocusable: false,
+  disableKeyboardA11y: true,
+  deleteKeyCode: null,
+  multiSelectionKeyCode: ['Shift', 'Control', 'Meta'],
+  elevateNodesOnSelect: false,
+};
 /** Above this only boxes in sight are drawn. */
 const kManyBoxes = 300;
 const kOtherWidth = 0.25;
 export const kDragType = 'application/x-ganglion-component';
-
-function wireText(source: string | null, handle: string | null | undefined): string {
-  const output = (handle ?? '').replace(/^o:/, '');
-  return output === '' ? (source ?? '') : `${source}.${output}`;
-}
 
 async function moved(_: unknown, __: unknown, dragged: ComponentNode[]): Promise<void> {
   const positions = Object.fromEntries(
@@ -43,39 +42,6 @@ async function moved(_: unknown, __: unknown, dragged: ComponentNode[]): Promise
       .map((node): [string, Point] => [node.id, [Math.round(node.position.x), Math.round(node.position.y)]]),
   );
   await edit([{ op: 'move', positions }]).catch(complain);
-}
-
-/** The wire in the hand: what it fits is known from when it is taken up. */
-function useWiring() {
-  const text = useText();
-  const flow = useReactFlow();
-  const offer = useRef<Offer | null>(null);
-  const start = useCallback((_: unknown, { nodeId, handleId, handleType }: Record<string, string | null>) => {
-    offer.current = handleType === 'source' ? new Offer(wireText(nodeId, handleId)) : null;
-  }, []);
-  const valid = useCallback(({ target, targetHandle }: Connection | WireEdge) => {
-    return offer.current?.allows(target, (targetHandle ?? '').slice(2)) ?? true;
-  }, []);
-  const connect = useCallback(({ source, sourceHandle, target, targetHandle }: Connection) => {
-    void connectWire(wireText(source, sourceHandle), target, (targetHandle ?? '').slice(2));
-  }, []);
-  const end = useCallback(
-    (event: MouseEvent | TouchEvent, state: FinalConnectionState) => {
-      const taken = offer.current;
-      offer.current = null;
-      if (!taken || state.isValid) return;
-      if (state.toHandle) {
-        const [id, port] = [state.toHandle.nodeId, (state.toHandle.id ?? '').slice(2)];
-        toast(`${text.connect.refused_toast}: ${taken.from} → ${id}.${port}`, taken.reasons(id, port), 'bad');
-      } else if (!state.toNode) {
-        const at = 'clientX' in event ? event : event.changedTouches[0];
-        const { x, y } = flow.screenToFlowPosition({ x: at.clientX, y: at.clientY });
-        openDialog({ kind: 'add', from: taken.from, at: [Math.round(x), Math.round(y)] });
-      }
-    },
-    [flow, text],
-  );
-  return { start, valid, connect, end };
 }
 
 /** Shows all of a file's drawing once it is there and has a size, and again when it gets quite another width. */
@@ -102,24 +68,21 @@ function useFitting(frame: { current: HTMLElement | null }, path: string, drawn:
   }, [flow, frame, path, drawn]);
 }
 
-function Flow() {
-  const text = useText();
-  const flow = useReactFlow<ComponentNode, WireEdge>();
-  const { nodes, edges, changeNodes, changeEdges } = useDrawn();
-  const wiring = useWiring();
-  const minimap = useWorkbench((state) => state.minimap);
-  const path = useDocument((state) => state.path);
-  const frame = useRef<HTMLDivElement>(null);
-  useEffect(() => setCanvas(flow, () => frame.current), [flow]);
-  useFitting(frame, path, nodes.length > 0);
-  const drop = (event: DragEvent) => {
+/** What is let go of over the drawing is added there. */
+function useDrop() {
+  const flow = useReactFlow();
+  return (event: DragEvent) => {
     const dragged = event.dataTransfer.getData(kDragType);
     if (!dragged) return;
     event.preventDefault();
     const { x, y } = flow.screenToFlowPosition({ x: event.clientX, y: event.clientY });
     add(JSON.parse(dragged) as Offered, [Math.round(x / 10) * 10, Math.round(y / 10) * 10]).catch(complain);
   };
-  const aria = useMemo(
+}
+
+function useLabels() {
+  const text = useText();
+  return useMemo(
     () => ({
       'minimap.ariaLabel': text.commands.minimap,
       'node.a11yDescription.default': text.shell.arrows_help,
@@ -130,70 +93,88 @@ function Flow() {
     }),
     [text],
   );
+}
+
+function Tools() {
+  const text = useText();
+  const flow = useReactFlow();
+  return (
+    <div className="canvas-tools">
+      <button type="button" aria-label={text.shell.zoom_in} onClick={() => void flow.zoomIn()}>
+        <Icon name="plus" />
+      </button>
+      <button type="button" aria-label={text.shell.zoom_out} onClick={() => void flow.zoomOut()}>
+        <Icon name="minus" />
+      </button>
+      <button
+        type="button"
+        aria-label={text.shell.fit}
+        onClick={() => void flow.fitView({ padding: 0.06, maxZoom: 1 })}
+      >
+        <Icon name="fit" />
+      </button>
+    </div>
+  );
+}
+
+function Boxes({ drawn }: { drawn: ReturnType<typeof useDrawn> }) {
+  const wiring = useWiring();
+  const labels = useLabels();
+  const minimap = useWorkbench((state) => state.minimap);
+  return (
+    <ReactFlow
+      {...kLook}
+      nodes={drawn.nodes}
+      edges={drawn.edges}
+      onNodesChange={drawn.changeNodes}
+      onEdgesChange={drawn.changeEdges}
+      onNodeDragStop={moved}
+      onSelectionDragStop={(event, dragged) => moved(event, null, dragged)}
+      onConnectStart={wiring.start as never}
+      onConnect={wiring.connect}
+      onConnectEnd={wiring.end}
+      isValidConnection={wiring.valid}
+      onNodeDoubleClick={(_, node) => openDialog({ kind: 'rename', id: node.id })}
+      onlyRenderVisibleElements={drawn.nodes.length > kManyBoxes}
+      ariaLabelConfig={labels}
+    >
+      <Background gap={20} size={1} />
+      {minimap && (
+        <MiniMap
+          pannable
+          zoomable
+          nodeClassName={(node) => `mini class-${(node as ComponentNode).data.component.class}`}
+        />
+      )}
+    </ReactFlow>
+  );
+}
+
+function Flow() {
+  const text = useText();
+  const flow = useReactFlow<ComponentNode, WireEdge>();
+  const drawn = useDrawn();
+  const drop = useDrop();
+  const path = useDocument((state) => state.path);
+  const frame = useRef<HTMLDivElement>(null);
+  const empty = drawn.nodes.length === 0;
+  useEffect(() => setCanvas(flow, () => frame.current), [flow]);
+  useFitting(frame, path, !empty);
   return (
     <div
       role="application"
       className="canvas"
       ref={frame}
-      // arrows walk the drawing along its wires
+      // biome-ignore lint/a11y/noNoninteractiveTabindex: arrows walk the drawing along its wires
       tabIndex={0}
       aria-label={text.panes.drawing}
       onKeyDown={canvasKey}
       onDragOver={(event) => event.preventDefault()}
       onDrop={drop}
     >
-      <ReactFlow
-        nodes={nodes}
-        edges={edges}
-        nodeTypes={kNodeTypes}
-        edgeTypes={kEdgeTypes}
-        onNodesChange={changeNodes}
-        onEdgesChange={changeEdges}
-        onNodeDragStop={moved}
-        onSelectionDragStop={(event, dragged) => moved(event, null, dragged)}
-        onConnectStart={wiring.start as never}
-        onConnect={wiring.connect}
-        onConnectEnd={wiring.end}
-        isValidConnection={wiring.valid}
-        connectionMode={ConnectionMode.Strict}
-        connectionRadius={18}
-        onNodeDoubleClick={(_, node) => openDialog({ kind: 'rename', id: node.id })}
-        onlyRenderVisibleElements={nodes.length > kManyBoxes}
-        minZoom={0.02}
-        maxZoom={2.5}
-        nodesFocusable={false}
-        edgesFocusable={false}
-        disableKeyboardA11y
-        deleteKeyCode={null}
-        multiSelectionKeyCode={['Shift', 'Control', 'Meta']}
-        ariaLabelConfig={aria}
-        elevateNodesOnSelect={false}
-      >
-        <Background gap={20} size={1} />
-        {minimap && (
-          <MiniMap
-            pannable
-            zoomable
-            nodeClassName={(node) => `mini class-${(node as ComponentNode).data.component.class}`}
-          />
-        )}
-      </ReactFlow>
-      <div className="canvas-tools">
-        <button type="button" aria-label={text.shell.zoom_in} onClick={() => void flow.zoomIn()}>
-          <Icon name="plus" />
-        </button>
-        <button type="button" aria-label={text.shell.zoom_out} onClick={() => void flow.zoomOut()}>
-          <Icon name="minus" />
-        </button>
-        <button
-          type="button"
-          aria-label={text.shell.fit}
-          onClick={() => void flow.fitView({ padding: 0.06, maxZoom: 1 })}
-        >
-          <Icon name="fit" />
-        </button>
-      </div>
-      {current() && nodes.length === 0 && <Empty />}
+      <Boxes drawn={drawn} />
+      <Tools />
+      {current() && empty && <Empty />}
     </div>
   );
 }

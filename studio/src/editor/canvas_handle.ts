@@ -1,5 +1,5 @@
 import type { ReactFlowInstance } from '@xyflow/react';
-import { useDocument } from '../document/document';
+import { useDocument } from '../state/document';
 import type { ComponentNode, WireEdge } from './graph';
 import type { Point } from './placing';
 

@@ -1,11 +1,11 @@
 import { Handle, type NodeProps, Position } from '@xyflow/react';
 import { memo } from 'react';
-import type { InputPort, OutputPort } from '../document/kinds';
-import { kindOf } from '../document/kinds';
+import type { InputPort, OutputPort } from '../state/kinds';
+import { kindOf } from '../state/kinds';
+import { toggleExpanded } from '../state/workbench';
 import { useText } from '../text/text';
 import { useSettings } from '../theme/settings';
 import { ClassMark, Icon } from '../ui/icons';
-import { toggleExpanded } from '../ui/workbench';
 import type { ComponentNode } from './graph';
 
 function Input({ port, wired, bad }: { port: InputPort; wired: boolean; bad: boolean }) {

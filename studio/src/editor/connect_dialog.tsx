@@ -1,11 +1,11 @@
 import { type ReactNode, useEffect, useState } from 'react';
 import { api } from '../api/client';
-import { place, useDocument, useModel } from '../document/document';
-import { kindOf, outputsOf } from '../document/kinds';
+import { place, useDocument, useModel } from '../state/document';
+import { kindOf, outputsOf } from '../state/kinds';
+import { closeDialog, complain } from '../state/workbench';
 import { useText } from '../text/text';
 import { Modal } from '../ui/dialog';
 import { PickList } from '../ui/pick_list';
-import { closeDialog, complain } from '../ui/workbench';
 import { connectWire, withPrevious } from './wiring';
 
 interface Choice {
@@ -82,7 +82,7 @@ export function ConnectTo({ id, from }: { id: string; from?: string }) {
   const [output, setOutput] = useState(from ?? sources[0] ?? id);
   const [previous, setPrevious] = useState(false);
   const [choices, setChoices] = useState<Choice[] | null>(null);
-  // of the text as it is when the dialog opens
+  // biome-ignore lint/correctness/useExhaustiveDependencies: another file has other inputs
   useEffect(() => {
     const wire = withPrevious(output, previous);
     api

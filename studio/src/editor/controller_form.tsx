@@ -1,9 +1,9 @@
 import { memo, useEffect, useState } from 'react';
 import type { Model } from '../api/types';
-import { edit } from '../document/document';
+import { edit } from '../state/document';
+import { complain } from '../state/workbench';
+import { numberOf, rounded, shown } from '../text/numbers';
 import { useText } from '../text/text';
-import { complain } from '../ui/workbench';
-import { numberOf, rounded, shown } from './field';
 
 function Text({ label, value, commit }: { label: string; value: string; commit(words: string): void }) {
   const [words, setWords] = useState(value);

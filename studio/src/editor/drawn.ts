@@ -1,8 +1,8 @@
 import { applyEdgeChanges, applyNodeChanges, type EdgeChange, type NodeChange } from '@xyflow/react';
 import { useCallback, useState } from 'react';
 import type { Model } from '../api/types';
-import { select, useDocument, useModel } from '../document/document';
-import { useWorkbench } from '../ui/workbench';
+import { select, useDocument, useModel } from '../state/document';
+import { useWorkbench } from '../state/workbench';
 import { type ComponentNode, edgesOf, nodesOf, type WireEdge } from './graph';
 import type { Point } from './placing';
 

@@ -1,5 +1,5 @@
 import type { Component } from '../api/types';
-import { type InputPort, inputsOf, kindOf, type OutputPort, outputsOf } from '../document/kinds';
+import { type InputPort, inputsOf, kindOf, type OutputPort, outputsOf } from '../state/kinds';
 
 // A box of the drawing [px]. Rows are of one height so that wires can be drawn to boxes that are not.
 export const kWidth = 230;

@@ -1,7 +1,7 @@
 import { type Edge, type Node, Position } from '@xyflow/react';
 import type { Component, Model, Problem, Wire } from '../api/types';
-import { handleOf, kindOf, outputsOf } from '../document/kinds';
-import { isSame } from '../document/share';
+import { handleOf, kindOf, outputsOf } from '../state/kinds';
+import { isSame } from '../state/share';
 import { heightOf, kWidth, type Ports, portsOf, rowMiddle } from './geometry';
 import { arrangeMissing, boxesOf, type Point } from './placing';
 

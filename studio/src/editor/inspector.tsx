@@ -1,17 +1,14 @@
-import type { Component, Model, Operation } from '../api/types';
-import { edit, useDocument, useModel } from '../document/document';
-import { kindOf, useKinds } from '../document/kinds';
+import type { Component, Model } from '../api/types';
+import { useDocument, useModel } from '../state/document';
+import { kindOf, useKinds } from '../state/kinds';
+import { openDialog } from '../state/workbench';
 import { useText } from '../text/text';
 import { useSettings } from '../theme/settings';
 import { ClassMark } from '../ui/icons';
-import { complain, openDialog } from '../ui/workbench';
+import { change } from './change';
 import { ControllerForm } from './controller_form';
 import { Field } from './field';
 import { Inputs, Outputs } from './wires_form';
-
-export function change(operations: Operation[], merge?: string): void {
-  edit(operations, { merge }).catch(complain);
-}
 
 interface SelectProps {
   label: string;

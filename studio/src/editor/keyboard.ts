@@ -1,8 +1,8 @@
 import type { KeyboardEvent } from 'react';
 import type { Component, Model } from '../api/types';
-import { current, edit, select, useDocument } from '../document/document';
+import { current, edit, select, useDocument } from '../state/document';
+import { complain, say } from '../state/workbench';
 import { text } from '../text/text';
-import { complain, say } from '../ui/workbench';
 import { places, reveal } from './canvas_handle';
 import type { Point } from './placing';
 

@@ -1,11 +1,11 @@
 import { useState } from 'react';
 import type { ComponentClass } from '../api/types';
-import { useModel } from '../document/document';
-import { useKinds } from '../document/kinds';
+import { useModel } from '../state/document';
+import { useKinds } from '../state/kinds';
+import { complain } from '../state/workbench';
 import { useText } from '../text/text';
 import { useSettings } from '../theme/settings';
 import { ClassMark } from '../ui/icons';
-import { complain } from '../ui/workbench';
 import { add, type Offered, offered } from './adding';
 import { kDragType } from './canvas';
 import { middle } from './canvas_handle';

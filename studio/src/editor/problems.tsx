@@ -1,10 +1,10 @@
 import type { Problem } from '../api/types';
-import { select, useModel } from '../document/document';
+import { select, useModel } from '../state/document';
+import { openDialog, say, show, useWorkbench } from '../state/workbench';
 import { useText } from '../text/text';
 import { Icon } from '../ui/icons';
-import { openDialog, say, show, useWorkbench } from '../ui/workbench';
 import { reveal } from './canvas_handle';
-import { change } from './inspector';
+import { change } from './change';
 
 function goTo(problem: Problem): void {
   if (!problem.component) return;

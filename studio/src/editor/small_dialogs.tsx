@@ -1,10 +1,10 @@
 import { type FormEvent, useState } from 'react';
-import { edit, select, useModel } from '../document/document';
+import { edit, select, useModel } from '../state/document';
+import { closeDialog, complain, useWorkbench } from '../state/workbench';
 import { useText } from '../text/text';
 import { Modal } from '../ui/dialog';
 import { ClassMark } from '../ui/icons';
 import { PickList } from '../ui/pick_list';
-import { closeDialog, complain, useWorkbench } from '../ui/workbench';
 import { reveal } from './canvas_handle';
 
 export function RenameDialog({ id }: { id: string }) {

@@ -1,4 +1,4 @@
-import { history, type ValueSource } from '../run/live_values';
+import { history, type ValueSource } from '../state/live_values';
 
 const kWidth = 150;
 const kHeight = 44;

@@ -1,9 +1,9 @@
 import { memo } from 'react';
 import type { Component } from '../api/types';
-import { select, useDocument, useModel } from '../document/document';
+import { select, useDocument, useModel } from '../state/document';
+import { openDialog } from '../state/workbench';
 import { useText } from '../text/text';
 import { ClassMark, Icon } from '../ui/icons';
-import { openDialog } from '../ui/workbench';
 import { problemsPer } from './graph';
 
 interface RowProps {
@@ -54,7 +54,7 @@ export function TableView() {
   const selected = new Set(selection);
   const problems = problemsPer(model.problems);
   return (
-    // a region that scrolls can be reached by the keyboard
+    // biome-ignore lint/a11y/noNoninteractiveTabindex: a region that scrolls can be reached by the keyboard
     <section className="table-view" tabIndex={0} aria-label={text.panes.table}>
       <table>
         <caption>{text.table.caption}</caption>

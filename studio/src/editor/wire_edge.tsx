@@ -1,8 +1,8 @@
 import { BaseEdge, EdgeLabelRenderer, type EdgeProps, getBezierPath } from '@xyflow/react';
 import { memo, useCallback } from 'react';
-import { useDocument } from '../document/document';
-import { watchValue } from '../run/live_values';
-import { isOfDrawing, useRun } from '../run/run';
+import { useDocument } from '../state/document';
+import { watchValue } from '../state/live_values';
+import { isOfDrawing, useRun } from '../state/run';
 import type { WireEdge } from './graph';
 import { showSparkline } from './sparkline';
 

@@ -1,10 +1,10 @@
 import type { Component, Wire } from '../api/types';
-import { type InputPort, inputsOf, kindOf, outputsOf } from '../document/kinds';
+import { type InputPort, inputsOf, kindOf, outputsOf } from '../state/kinds';
+import { openDialog } from '../state/workbench';
 import { useText } from '../text/text';
 import { useSettings } from '../theme/settings';
 import { Icon } from '../ui/icons';
-import { openDialog } from '../ui/workbench';
-import { change } from './inspector';
+import { change } from './change';
 import { replaceWire, withPrevious } from './wiring';
 
 function reordered(wires: Wire[], index: number, by: number): string[] {

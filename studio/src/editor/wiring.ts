@@ -1,7 +1,7 @@
 import { api, type Target } from '../api/client';
-import { edit, place } from '../document/document';
+import { edit, place } from '../state/document';
+import { complain, say, toast } from '../state/workbench';
 import { text } from '../text/text';
-import { complain, say, toast } from '../ui/workbench';
 
 const kPrevious = '@previous';
 

@@ -1,14 +1,17 @@
 import { useEffect, useState } from 'react';
 import { api } from '../api/client';
-import { useDocument, useModel } from '../document/document';
+import type { Files } from '../api/types';
 import { useFiles } from '../document/files';
 import { RobotCard } from '../editor/controller_form';
-import { numberOf } from '../editor/field';
+import { useDocument, useModel } from '../state/document';
+import { type Application, configure, useRun } from '../state/run';
+import { closeDialog, complain } from '../state/workbench';
+import { numberOf } from '../text/numbers';
 import { useText } from '../text/text';
 import { Modal } from '../ui/dialog';
-import { closeDialog, complain } from '../ui/workbench';
-import { type Application, configure, testLink, useRun } from './run';
+import { testLink } from './start';
 
+type Experiment = Files['experiments'][number];
 type Program = { name: string; help: string };
 
 function usePrograms(): Program[] {
@@ -143,6 +146,52 @@ function TestConnection() {
   );
 }
 
+function Check({ label, checked, set }: { label: string; checked: boolean; set(checked: boolean): void }) {
+  return (
+    <label className="check">
+      <input type="checkbox" checked={checked} onChange={(event) => set(event.target.checked)} /> {label}
+    </label>
+  );
+}
+
+/** What of the experiment is another for this run; what is left empty is as the experiment says. */
+function Settings({ files, experiment }: { files: Files | null; experiment: Experiment | undefined }) {
+  const text = useText();
+  const chosen = useRun((state) => state.configuration);
+  return (
+    <>
+      <Choice
+        label={text.configure.world}
+        value={chosen.world}
+        options={files?.worlds ?? []}
+        none={text.configure.as_experiment}
+        pick={(world) => configure({ world })}
+      />
+      <Choice
+        label={text.configure.robot}
+        value={chosen.robot}
+        options={files?.robots ?? []}
+        none={text.configure.as_experiment}
+        pick={(robot) => configure({ robot })}
+      />
+      <Amount
+        label={text.configure.seed}
+        value={chosen.seed}
+        usual={experiment?.seed}
+        set={(seed) => configure({ seed })}
+      />
+      <Amount
+        label={text.configure.duration}
+        value={chosen.duration_s}
+        usual={experiment?.duration_s}
+        set={(duration_s) => configure({ duration_s })}
+      />
+      <Check label={text.configure.paused} checked={chosen.paused} set={(paused) => configure({ paused })} />
+      <Check label={text.configure.record} checked={chosen.record} set={(record) => configure({ record })} />
+    </>
+  );
+}
+
 /** The paper's "Configure": which application the controller is run with. */
 export function ConfigureDialog() {
   const text = useText();
@@ -170,48 +219,7 @@ export function ConfigureDialog() {
             told={experiment?.address || (experiment?.program ? text.configure.a_program : text.configure.simulation)}
           />
           <TestConnection />
-          <Choice
-            label={text.configure.world}
-            value={chosen.world}
-            options={files?.worlds ?? []}
-            none={text.configure.as_experiment}
-            pick={(world) => configure({ world })}
-          />
-          <Choice
-            label={text.configure.robot}
-            value={chosen.robot}
-            options={files?.robots ?? []}
-            none={text.configure.as_experiment}
-            pick={(robot) => configure({ robot })}
-          />
-          <Amount
-            label={text.configure.seed}
-            value={chosen.seed}
-            usual={experiment?.seed}
-            set={(seed) => configure({ seed })}
-          />
-          <Amount
-            label={text.configure.duration}
-            value={chosen.duration_s}
-            usual={experiment?.duration_s}
-            set={(duration_s) => configure({ duration_s })}
-          />
-          <label className="check">
-            <input
-              type="checkbox"
-              checked={chosen.paused}
-              onChange={(event) => configure({ paused: event.target.checked })}
-            />{' '}
-            {text.configure.paused}
-          </label>
-          <label className="check">
-            <input
-              type="checkbox"
-              checked={chosen.record}
-              onChange={(event) => configure({ record: event.target.checked })}
-            />{' '}
-            {text.configure.record}
-          </label>
+          <Settings files={files} experiment={experiment} />
         </div>
         <div>{model && <RobotCard robot={model.robot} />}</div>
       </div>

@@ -1,11 +1,11 @@
 import { useEffect } from 'react';
 import { carryOut, commandOf } from '../commands/commands';
-import { edit, useModel } from '../document/document';
 import { fit } from '../editor/canvas_handle';
-import { useRun } from '../run/run';
+import { edit, useModel } from '../state/document';
+import { useRun } from '../state/run';
+import { complain, say, useWorkbench } from '../state/workbench';
 import { useText } from '../text/text';
 import { Icon } from '../ui/icons';
-import { complain, say, useWorkbench } from '../ui/workbench';
 import { kTour } from './steps';
 
 /** The first run: rebuilds figure 6 step by step, watching the drawing to see what is done. */

@@ -1,7 +1,7 @@
 import { type ReactNode, useEffect, useRef } from 'react';
+import { closeDialog } from '../state/workbench';
 import { useText } from '../text/text';
 import { Icon } from './icons';
-import { closeDialog } from './workbench';
 
 /** A modal of the browser's own: focus stays inside, Escape closes, and goes back where it was. */
 export function Modal({ title, children, wide }: { title: string; children: ReactNode; wide?: boolean }) {
@@ -14,7 +14,7 @@ export function Modal({ title, children, wide }: { title: string; children: Reac
     return () => before?.focus?.();
   }, []);
   return (
-    // Escape is the dialog's own; this is the click beside it
+    // biome-ignore lint/a11y/useKeyWithClickEvents: Escape is the dialog's own; this is the click beside it
     <dialog
       ref={element}
       className={wide ? 'wide' : ''}

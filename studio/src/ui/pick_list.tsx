@@ -57,8 +57,8 @@ export function PickList({ label, items, empty, children }: Props) {
       {children}
       <div className="options" ref={list} role="listbox" id={`${id}list`} aria-label={label}>
         {found.map((item, i) => (
-          // keys are the text field's, as a combobox has it
-          // the text field keeps the focus and points here
+          // biome-ignore lint/a11y/useKeyWithClickEvents: keys are the text field's, as a combobox has it
+          // biome-ignore lint/a11y/useFocusableInteractive: the text field keeps the focus and points here
           <div key={item.key} id={`${id}${i}`} role="option" aria-selected={i === chosen} onClick={item.pick}>
             <span>{item.show}</span>
             {item.note && <small>{item.note}</small>}

@@ -1,6 +1,6 @@
+import { dismiss, useWorkbench } from '../state/workbench';
 import { useText } from '../text/text';
 import { Icon } from './icons';
-import { dismiss, useWorkbench } from './workbench';
 
 export function Toasts() {
   const text = useText();

@@ -1,5 +1,5 @@
 import type { Scene, Shape } from '../api/types';
-import type { Mover } from './timeline';
+import type { Mover } from '../state/timeline';
 import type { View, WorldColours } from './view';
 
 export function trace(view: View, shape: Shape, pose?: readonly [number, number, number]): void {

@@ -1,6 +1,6 @@
+import type { Timeline } from '../state/timeline';
 import { trace } from './draw_ground';
 import { type Intent, moverPose } from './reach';
-import type { Timeline } from './timeline';
 import type { View, WorldColours } from './view';
 
 /** What a pointer is about to do: the cell that would be the goal, the obstacle on its way. */

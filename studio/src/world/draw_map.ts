@@ -1,4 +1,4 @@
-import type { MapState } from './timeline';
+import type { MapState } from '../state/map_track';
 import type { View, WorldColours } from './view';
 
 const kViridis = [

@@ -1,6 +1,6 @@
 import type { RobotInfo } from '../api/types';
-import type { RowTrack } from './rows';
-import type { Timeline } from './timeline';
+import type { RowTrack } from '../state/rows';
+import type { Timeline } from '../state/timeline';
 import type { View, WorldColours } from './view';
 
 const kMostTrailPoints = 3000;

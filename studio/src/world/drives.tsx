@@ -1,6 +1,6 @@
+import { usePlayer } from '../state/player';
+import type { Timeline } from '../state/timeline';
 import { useText } from '../text/text';
-import { usePlayer } from './player';
-import type { Timeline } from './timeline';
 
 interface Candidate {
   id: string;

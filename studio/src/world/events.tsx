@@ -1,6 +1,6 @@
+import { player, usePlayer } from '../state/player';
 import { useText } from '../text/text';
 import { useSettings } from '../theme/settings';
-import { player, usePlayer } from './player';
 import { interventionWords } from './reach';
 
 const kMost = 60;

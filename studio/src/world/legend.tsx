@@ -1,6 +1,6 @@
 import type { ReactNode } from 'react';
+import type { Timeline } from '../state/timeline';
 import { useText } from '../text/text';
-import type { Timeline } from './timeline';
 
 function Row({ mark, word }: { mark: ReactNode; word: string }) {
   return (

@@ -1,7 +1,7 @@
+import type { Timeline } from '../state/timeline';
 import { drawEdges, drawGround, drawMovers } from './draw_ground';
 import type { MapPainter } from './draw_map';
 import { drawAttempts, drawRobots, drawTrail } from './draw_robot';
-import type { Timeline } from './timeline';
 import type { View, WorldColours } from './view';
 
 function drawPaths(view: View, timeline: Timeline, t: number, colours: WorldColours): void {

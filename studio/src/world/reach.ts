@@ -1,12 +1,12 @@
 // Reaching into a running world: a goal set, an obstacle put elsewhere. The server says whether that can be.
 import { api } from '../api/client';
 import type { InterventionEvent, Shape } from '../api/types';
-import { useRun } from '../run/run';
+import { player, usePlayer } from '../state/player';
+import { useRun } from '../state/run';
+import type { Timeline } from '../state/timeline';
+import { complain, say, toast } from '../state/workbench';
 import type { Dictionary } from '../text/en';
 import { text } from '../text/text';
-import { complain, say, toast } from '../ui/workbench';
-import { player, usePlayer } from './player';
-import type { Timeline } from './timeline';
 
 type Point = [number, number];
 
@@ -57,7 +57,8 @@ function holds(shape: Shape, [x, y]: Point, reach: number): boolean {
   if (!shape.points) return Math.hypot(x, y) <= (shape.radius ?? 0) + reach;
   const xs = shape.points.map((point) => point[0]);
   const ys = shape.points.map((point) => point[1]);
-  const within = (value: number, all: number[]) => value >= Math.min(...all) - reach && value <= Math.max(...all) + reach;
+  const within = (value: number, all: number[]) =>
+    value >= Math.min(...all) - reach && value <= Math.max(...all) + reach;
   return within(x, xs) && within(y, ys);
 }
 

@@ -1,8 +1,8 @@
 import { type FormEvent, useState } from 'react';
+import { usePlayer } from '../state/player';
+import { closeDialog } from '../state/workbench';
 import { useText } from '../text/text';
 import { Modal } from '../ui/dialog';
-import { closeDialog } from '../ui/workbench';
-import { usePlayer } from './player';
 import { moverPose, putObstacle, setGoal } from './reach';
 
 function Number2({ at, set }: { at: [string, string]; set(at: [string, string]): void }) {

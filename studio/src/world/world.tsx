@@ -1,5 +1,7 @@
 import { useEffect, useRef, useState } from 'react';
-import { closeRecording, useRun } from '../run/run';
+import { player, usePlayer } from '../state/player';
+import { closeRecording } from '../state/recordings';
+import { useRun } from '../state/run';
 import { useText } from '../text/text';
 import { onColours } from '../theme/settings';
 import { Icon } from '../ui/icons';
@@ -11,7 +13,6 @@ import { Events } from './events';
 import { useHand } from './hand';
 import { Legend } from './legend';
 import { paintWorld } from './paint';
-import { player, usePlayer } from './player';
 import { type Intent, mayPutObstacle, maySetGoal } from './reach';
 import { TimeBar } from './time_bar';
 import { View, worldColours } from './view';

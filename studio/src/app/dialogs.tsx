@@ -4,8 +4,8 @@ import { AddDialog } from '../editor/add_dialog';
 import { ConnectFrom, ConnectTo } from '../editor/connect_dialog';
 import { RenameDialog, SearchDialog } from '../editor/small_dialogs';
 import { ConfigureDialog } from '../run/configure';
+import { useWorkbench } from '../state/workbench';
 import { GoalDialog, ObstacleDialog } from '../world/reach_dialogs';
-import { useWorkbench } from './workbench';
 
 /** The one that is open, if any. */
 export function Dialogs() {

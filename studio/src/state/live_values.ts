@@ -1,6 +1,6 @@
 import { text } from '../text/text';
-import type { RowTrack } from '../world/rows';
-import type { Timeline } from '../world/timeline';
+import type { RowTrack } from './rows';
+import type { Timeline } from './timeline';
 
 /** Where a wire's value is found: the first of `signals` that is a column, or whose elements are. */
 export interface ValueSource {

@@ -1,8 +1,7 @@
 import { lazy, Suspense } from 'react';
-import { carryOut, commandOf } from '../commands/commands';
+import { CommandButton } from '../commands/command_button';
 import { Menu } from '../commands/menu';
 import { Banners } from '../document/banners';
-import { isDirty, useDocument, useModel } from '../document/document';
 import { FilesPane } from '../document/files';
 import { HistoryPane } from '../document/history_pane';
 import { Canvas } from '../editor/canvas';
@@ -10,13 +9,14 @@ import { Inspector } from '../editor/inspector';
 import { Palette } from '../editor/palette';
 import { Problems } from '../editor/problems';
 import { TableView } from '../editor/table_view';
-import { Outcome, RunBar } from '../run/run_bar';
+import { Outcome } from '../run/outcome';
+import { isDirty, useDocument, useModel } from '../state/document';
+import { type Pane, show, useWorkbench } from '../state/workbench';
 import { useText } from '../text/text';
+import { Toasts } from '../ui/toasts';
 import { World } from '../world/world';
 import { Dialogs } from './dialogs';
-import { Icon } from './icons';
-import { Toasts } from './toasts';
-import { type Pane, show, useWorkbench } from './workbench';
+import { RunBar } from './run_bar';
 
 const Tour = lazy(() => import('../tour/tour').then((module) => ({ default: module.Tour })));
 
@@ -29,17 +29,6 @@ function Head() {
   const dirty = useDocument((state) => isDirty(state));
   const canUndo = useDocument((state) => state.now > 0);
   const canRedo = useDocument((state) => state.now + 1 < state.steps.length);
-  const act = (name: 'undo' | 'redo' | 'save', enabled: boolean) => (
-    <button
-      type="button"
-      aria-label={text.commands[name]}
-      title={`${text.commands[name]} (${commandOf(name).keys?.[0]})`}
-      disabled={!enabled}
-      onClick={() => void carryOut(commandOf(name))}
-    >
-      <Icon name={name} />
-    </button>
-  );
   return (
     <header className="head">
       <Menu />
@@ -51,9 +40,9 @@ function Head() {
           </small>
         )}
       </h1>
-      {act('undo', canUndo)}
-      {act('redo', canRedo)}
-      {act('save', model !== undefined && dirty)}
+      <CommandButton name="undo" icon="undo" enabled={canUndo} />
+      <CommandButton name="redo" icon="redo" enabled={canRedo} />
+      <CommandButton name="save" icon="save" enabled={model !== undefined && dirty} />
       <RunBar />
     </header>
   );

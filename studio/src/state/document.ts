@@ -1,5 +1,5 @@
 import { create } from 'zustand';
-import { ApiError, api } from '../api/client';
+import { api } from '../api/client';
 import { patiently } from '../api/presence';
 import type { Model, Operation } from '../api/types';
 import { share } from './share';
@@ -78,7 +78,7 @@ export function place(): { path: string; text: string } {
 // Edits go one after the other: each starts from the text the one before came to.
 let queue: Promise<unknown> = Promise.resolve();
 
-function inTurn<T>(work: () => Promise<T>): Promise<T> {
+export function inTurn<T>(work: () => Promise<T>): Promise<T> {
   const turn = queue.then(work);
   queue = turn.catch(() => undefined);
   return turn;
@@ -206,25 +206,13 @@ async function stepOf(path: string, text: string, step: string): Promise<Step> {
   return { text, model, step, about: '', merge: '', at_ms: Date.now() };
 }
 
-export async function openDocument(path: string): Promise<void> {
-  const file = await api.openFile(path);
-  const first = await stepOf(path, file.text, 'opened');
-  const draft = file.draft && file.draft.text !== file.text ? file.draft : null;
-  set({
-    ...kClosed,
-    path,
-    steps: [first],
-    now: 0,
-    savedText: file.text,
-    hash: file.hash,
-    draft: draft ? { text: draft.text, basedOn: draft.based_on } : null,
-  });
-}
-
-/** A document that is on no disk yet: `text` is shown, and saving makes the file. */
-export async function openUnsaved(path: string, text: string): Promise<void> {
-  const first = await stepOf(path, text, 'opened');
-  set({ ...kClosed, path, steps: [first], now: 0 });
+/** Another document in this one's stead, whose history begins with what is on the disk. */
+export async function begin(
+  path: string,
+  onDisk: Pick<DocumentState, 'hash' | 'draft'> & { savedText: string },
+): Promise<void> {
+  const first = await stepOf(path, onDisk.savedText, 'opened');
+  set({ ...kClosed, path, steps: [first], now: 0, ...onDisk });
 }
 
 /** A whole other text as one more step, so that it can be undone. */
@@ -242,81 +230,4 @@ export function reword(): Promise<void> {
       steps: state.steps.map((one, i) => (i === state.now ? { ...one, model: share(one.model, model) } : one)),
     }));
   });
-}
-
-/** true: saved. false: the file is another by now, and `conflict` says so. */
-export function save(): Promise<boolean> {
-  return inTurn(async () => {
-    const what = place();
-    try {
-      const { hash } = await patiently(() => api.save(what, get().hash));
-      set({ savedText: what.text, hash, draft: null, conflict: null });
-      return true;
-    } catch (error) {
-      if (!(error instanceof ApiError) || error.code !== 'Conflict') throw error;
-      const conflict = conflictOf(error.details);
-      if (conflict.text === what.text && !conflict.gone) {  // it was saved, and the server ended before it could say so
-        set({ savedText: what.text, hash: conflict.hash, draft: null, conflict: null });
-        return true;
-      }
-      set({ conflict });
-      return false;
-    }
-  });
-}
-
-function conflictOf(details: Record<string, unknown>): Conflict {
-  const hash = typeof details.hash === 'string' ? details.hash : '';
-  return { hash, text: typeof details.text === 'string' ? details.text : '', gone: hash === '' };
-}
-
-export function overwrite(): Promise<boolean> {
-  const conflict = get().conflict;
-  set({ conflict: null, hash: conflict?.hash ?? '' });
-  return save();
-}
-
-export async function takeFromDisk(): Promise<void> {
-  const file = await api.openFile(get().path);
-  await replaceText(file.text);
-  await api.discard(get().path);
-  set({ savedText: file.text, hash: file.hash, conflict: null, draft: null });
-}
-
-export async function recoverDraft(): Promise<void> {
-  const draft = get().draft;
-  if (!draft) return;
-  await replaceText(draft.text);
-  set({ draft: null });
-}
-
-export async function discardDraft(): Promise<void> {
-  await api.discard(get().path);
-  set({ draft: null });
-}
-
-export type DiskChange = 'same' | 'reloaded' | 'conflict';
-
-/** What to do when the file changed on the disk: an unchanged drawing follows, a changed one asks. */
-export async function fileChanged(path: string, hash: string): Promise<DiskChange> {
-  await settled();
-  const state = get();
-  if (path !== state.path || hash === state.hash) return 'same';
-  if (hash === '') {
-    set({ conflict: { hash: '', text: '', gone: true } });
-    return 'conflict';
-  }
-  const file = await api.openFile(path);
-  if (file.hash === get().hash) return 'same';
-  if (!isDirty()) {
-    await replaceText(file.text);
-    set({ savedText: file.text, hash: file.hash });
-    return 'reloaded';
-  }
-  set({ conflict: { hash: file.hash, text: file.text, gone: false } });
-  return 'conflict';
-}
-
-export function putOffConflict(): void {
-  set({ conflict: null });
 }

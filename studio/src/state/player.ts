@@ -1,5 +1,5 @@
 import { create } from 'zustand';
-import { writeValues } from '../run/live_values';
+import { writeValues } from './live_values';
 import { indexAt } from './rows';
 import type { Timeline } from './timeline';
 
