@@ -65,7 +65,7 @@ def ranks():
 
 
 def is_test(path):
-    return path.name.endswith("_test.cpp") or "test" in path.stem or "testing" in path.parts
+    return "testing" in path.parts or re.search(r"(^|_)test", path.stem) is not None
 
 
 def edges(folders):
