@@ -49,12 +49,19 @@ void add_experience(CLI::App& program, int& code) {
   auto arguments = std::make_shared<ExperienceArguments>();
   CLI::App* command = program.add_subcommand("experience", "What controllers have learned and kept");
   command->require_subcommand(1);
+  command->footer(
+      "Examples:\n"
+      "  ganglion run experiments/pathfinder --experience map.sqlite\n"
+      "  ganglion experience show map.sqlite\n"
+      "  ganglion experience forget map.sqlite router");
   CLI::App* shown = command->add_subcommand("show", "List what a file remembers");
   shown->add_option("file", arguments->file, "Experience file (.sqlite)")->required();
+  shown->footer("Example:\n  ganglion experience show map.sqlite");
   shown->callback([arguments, &code] { code = show(arguments->file); });
   CLI::App* forgotten = command->add_subcommand("forget", "Drop what one component has learned");
   forgotten->add_option("file", arguments->file, "Experience file (.sqlite)")->required();
   forgotten->add_option("component", arguments->component, "Id in the controller")->required();
+  forgotten->footer("Example:\n  ganglion experience forget map.sqlite router");
   forgotten->callback([arguments, &code] { code = forget(arguments->file, arguments->component); });
 }
 

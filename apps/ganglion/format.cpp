@@ -37,6 +37,11 @@ void add_format(CLI::App& program, int& code) {
   CLI::App* command = program.add_subcommand("format", "Bring files into the common layout; comments are kept");
   command->add_option("files", arguments->files, "TOML files")->required();
   command->add_flag("--check", arguments->check, "Change nothing; exit 1 where something would change");
+  command->footer(
+      "Examples:\n"
+      "  ganglion format experiments/nimrod/controller.toml\n"
+      "  ganglion format --check experiments/nimrod/*.toml\n"
+      "Exit codes: 0 done, 1 with --check: a file would change, 2 bad input, 4 a file cannot be written.");
   command->callback([arguments, &code] {
     for (const std::string& file : arguments->files) code = std::max(code, format_file(file, arguments->check));
   });

@@ -29,14 +29,22 @@ std::vector<const Descriptor*> matching(const std::string& name) {
 void add_kinds(CLI::App& program, int& code) {
   struct KindsArguments {
     std::string kind, language = "en";
-    bool json = false;
+    bool json = false, markdown = false;
   };
   auto arguments = std::make_shared<KindsArguments>();
   CLI::App* command = program.add_subcommand("kinds", "The kinds of component: all of them, or the page of one");
   command->add_option("kind", arguments->kind, "Name or the paper's name, e.g. DynamicMapRouter or AmDmr");
   command->add_option("--language", arguments->language, "en or es")->check(CLI::IsMember({"en", "es"}));
   command->add_flag("--json", arguments->json, "As data: ports, parameters, texts in both languages");
-  command->footer("Examples:\n  ganglion kinds\n  ganglion kinds Escape\n  ganglion kinds --json");
+  command->add_flag("--markdown", arguments->markdown, "The manual's page on all kinds, docs/manual/kinds.md")
+      ->excludes("--json");
+  command->footer(
+      "Examples:\n"
+      "  ganglion kinds\n"
+      "  ganglion kinds Escape\n"
+      "  ganglion kinds AmDmr --language es\n"
+      "  ganglion kinds --json\n"
+      "Exit codes: 0 done, 2 there is no such kind.");
   command->callback([arguments, &code] {
     const auto found = matching(arguments->kind);
     const Language language = arguments->language == "es" ? Language::Spanish : Language::English;
@@ -48,6 +56,8 @@ void add_kinds(CLI::App& program, int& code) {
                             {}});
     } else if (arguments->json) {
       fmt::print("{}", kinds_json(found));
+    } else if (arguments->markdown) {
+      fmt::print("{}", kinds_page(found, language));
     } else if (arguments->kind.empty()) {
       code = list_kinds(language);
     } else {

@@ -11,7 +11,7 @@ void add_plot(CLI::App& program, int& code) {
     std::string file, out, language = "en";
   };
   auto arguments = std::make_shared<PlotArguments>();
-  CLI::App* command = program.add_subcommand("plot", "Draw the pictures and the report of a recorded run");
+  CLI::App* command = program.add_subcommand("plot", "Draw the pictures of a recorded run, as SVG, PNG and PDF");
   command->add_option("file", arguments->file, "Run file (.mcap)")->required();
   command->add_option("--out", arguments->out, "Folder to write to")->required();
   command->add_option("--language", arguments->language, "en or es")->check(CLI::IsMember({"en", "es"}));

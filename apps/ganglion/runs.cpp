@@ -198,6 +198,13 @@ void add_runs(CLI::App& program, int& code) {
   auto arguments = std::make_shared<RunsArguments>();
   CLI::App* command = program.add_subcommand("runs", "Recorded runs: list, show, export, verify, recover, compare");
   command->require_subcommand(1);
+  command->footer(
+      "Examples:\n"
+      "  ganglion runs list\n"
+      "  ganglion runs csv runs/nimrod --out runs.csv\n"
+      "  ganglion runs show runs/nimrod/seed_0001.mcap\n"
+      "Exit codes: 0 done, 1 digests: a component differs, 2 bad input or a wrong checksum, 4 a file cannot be "
+      "written.");
   CLI::App* listed = command->add_subcommand("list", "List the runs below a folder");
   CLI::App* exported = command->add_subcommand("csv", "The same as a table, every measure a column");
   for (CLI::App* one : {listed, exported}) {
@@ -205,26 +212,42 @@ void add_runs(CLI::App& program, int& code) {
     one->add_option("--sort", arguments->sort, "recorded, file, name, seed, success, digest, or a measure");
     one->add_option("--name", arguments->name, "Only runs of this experiment");
   }
+  listed->footer("Example:\n  ganglion runs list runs --sort travelled_m");
+  exported->footer("Example:\n  ganglion runs csv runs --out runs.csv");
   listed->callback([arguments, &code] { code = list(*arguments); });
   exported->add_option("--out", arguments->out, "File to write; default: standard output");
   exported->callback([arguments, &code] { code = csv(*arguments); });
   CLI::App* shown = command->add_subcommand("show", "What one run file holds");
   shown->add_option("file", arguments->file, "Run file (.mcap)")->required();
+  shown->footer("Example:\n  ganglion runs show runs/nimrod/seed_0001.mcap");
   shown->callback([arguments, &code] { code = show(*arguments); });
   CLI::App* signal = command->add_subcommand("signals", "Every robot's signals as CSV");
   signal->add_option("file", arguments->file, "Run file (.mcap)")->required();
   signal->add_option("--out", arguments->out, "Folder to write to")->required();
+  signal->footer("Example:\n  ganglion runs signals runs/nimrod/seed_0001.mcap --out tables");
   signal->callback([arguments, &code] { code = signals(*arguments); });
   CLI::App* recovered = command->add_subcommand("recover", "Make a whole run file of what is left of a cut one");
   recovered->add_option("file", arguments->file, "Run file (.mcap), which is only read")->required();
   recovered->add_option("--out", arguments->out, "File to write")->required();
+  recovered->footer(
+      "Example:\n"
+      "  ganglion runs recover cut.mcap --out whole.mcap\n"
+      "Exit codes: 0 saved, 2 nothing of a run is left, 4 the new file cannot be written.");
   recovered->callback([arguments, &code] { code = recover(*arguments); });
   CLI::App* digested =
       command->add_subcommand("digests", "Which components of two runs had the same signals, to the bit");
   digested->add_option("files", arguments->files, "Two run files (.mcap)")->required()->expected(2);
+  digested->footer(
+      "Example:\n"
+      "  ganglion runs digests before/seed_0001.mcap after/seed_0001.mcap\n"
+      "Exit codes: 0 what both have is the same, 1 it differs, 2 bad input.");
   digested->callback([arguments, &code] { code = digests(*arguments); });
   CLI::App* verified = command->add_subcommand("verify", "Check every checksum of run files");
   verified->add_option("files", arguments->files, "Run files (.mcap)")->required();
+  verified->footer(
+      "Example:\n"
+      "  ganglion runs verify runs/nimrod/*.mcap\n"
+      "Exit codes: 0 whole, 2 a checksum is wrong.");
   verified->callback([arguments, &code] { code = verify(*arguments); });
   add_compare(*command, arguments, code);
 }

@@ -1,5 +1,5 @@
 /* The robot's end of the Ganglion link (docs/link.md, protocol 1.0) for microcontrollers: C99, no heap, no libc, about
- * 1.5 KB of flash on a Cortex-M0+. Binary frames, over a serial line (packets with a checksum); over a TCP connection
+ * 2 KB of flash on a Cortex-M0+. Binary frames, over a serial line (packets with a checksum); over a TCP connection
  * with GANGLION_ROBOT_STREAM defined. What it does by itself: Hello with session token and resuming, Describe, Sense at
  * every tick, Act (limits, order of ticks, time to live), Beat, Reset, Bye. One line, one controller, no watchers.
  *

@@ -1,4 +1,4 @@
-# A robot in thirty lines, from docs/link.md alone: a cart that drives towards a wall 3 m ahead, in lock-step.
+# A robot in forty lines, from docs/link.md alone: a cart that drives towards a wall 3 m ahead, in lock-step.
 import json, math, socket, sys
 
 listener = socket.create_server(("127.0.0.1", int(sys.argv[1]) if sys.argv[1:] else 7007))

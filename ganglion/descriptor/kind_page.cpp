@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <vector>
 
@@ -12,18 +13,26 @@ namespace ganglion {
 namespace {
 
 constexpr std::array<Text, 8> kClasses = {{{"Sensation", "Sensación"},
-                                           {"Sensing module", "Módulo sensor"},
-                                           {"Global goal", "Meta global"},
-                                           {"Acting module", "Módulo actuador"},
+                                           {"Sensing module", "Módulo de detección"},
+                                           {"Global goal", "Objetivo global"},
+                                           {"Acting module", "Módulo de actuación"},
                                            {"Coordinator", "Coordinador"},
                                            {"Simulated sensor", "Sensor simulado"},
                                            {"Simulated drive", "Tracción simulada"},
                                            {"Simulated plant", "Planta simulada"}}};
+constexpr std::array<Text, 8> kGroups = {{{"Sensations", "Sensaciones"},
+                                          {"Sensing modules", "Módulos de detección"},
+                                          {"Global goals", "Objetivos globales"},
+                                          {"Acting modules", "Módulos de actuación"},
+                                          {"Coordinators", "Coordinadores"},
+                                          {"Simulated sensors", "Sensores simulados"},
+                                          {"Simulated drives", "Tracciones simuladas"},
+                                          {"Simulated plants", "Plantas simuladas"}}};
 constexpr std::array<Text, 6> kRoles = {{{"request", "solicitud"},
-                                         {"feedback", "realimentación"},
+                                         {"feedback", "retroalimentación"},
                                          {"candidate", "candidato"},
-                                         {"appraisal", "previsión"},
-                                         {"command", "orden"},
+                                         {"appraisal", "evaluación"},
+                                         {"command", "mando"},
                                          {"output", "salida"}}};
 constexpr std::array<Text, 3> kTypes = {{{"real", "real"}, {"discrete", "discreto"}, {"circular", "circular"}}};
 
@@ -44,13 +53,28 @@ std::string code_list(const Item& items) {
   return list;
 }
 
+/// "DynamicMapRouter (AmDmr)".
+std::string title_of(const Descriptor& kind) {
+  return kind.paper_name.empty() ? std::string(kind.name) : fmt::format("{} ({})", kind.name, kind.paper_name);
+}
+
+/// What a heading is called in a link to it: letters and digits in lower case, a hyphen for each space.
+std::string anchor_of(std::string_view title) {
+  std::string anchor;
+  for (const unsigned char c : title) {
+    if (std::isalnum(c)) anchor += static_cast<char>(std::tolower(c));
+    if (c == ' ') anchor += '-';
+  }
+  return anchor;
+}
+
+/// One kind's page; its title is a heading of `level`, 1 where the page stands alone.
 class Page {
  public:
-  Page(const Descriptor& kind, Language language) : kind_(kind), language_(language) {}
+  Page(const Descriptor& kind, Language language, int level = 1) : kind_(kind), language_(language), level_(level) {}
 
   std::string run() {
-    out_ = fmt::format("# {}{}\n\n{}. {}\n", kind_.name,
-                       kind_.paper_name.empty() ? "" : fmt::format(" ({})", kind_.paper_name),
+    out_ = fmt::format("{} {}\n\n{}. {}\n", std::string(level_, '#'), title_of(kind_),
                        word(kClasses[static_cast<std::size_t>(kind_.component_class)]), in(language_, kind_.summary));
     print_ports(true, {"Inputs", "Entradas"});
     print_ports(false, {"Outputs", "Salidas"});
@@ -64,7 +88,7 @@ class Page {
   std::string_view yes_or_no(bool yes) const noexcept { return yes ? word({"yes", "sí"}) : word({"no", "no"}); }
 
   void heading(const Text& title, const Text& columns, int count) {
-    out_ += fmt::format("\n## {}\n\n| {} |\n", word(title), word(columns));
+    out_ += fmt::format("\n{} {}\n\n| {} |\n", std::string(level_ + 1, '#'), word(title), word(columns));
     for (int i = 0; i < count; ++i) out_ += "| --- ";
     out_ += "|\n";
   }
@@ -159,7 +183,7 @@ class Page {
                           parameter.ours ? word({" *Ours.*", " *Nuestro.*"}) : "");
     }
     for (const ParameterDescriptor& parameter : kind_.parameters) {
-      if (!parameter.ours) continue;
+      if (!parameter.ours || level_ > 1) continue;  // a page of many kinds says it once
       out_ += word({"\n*Ours*: the source gives no value; this one is our reconstruction.\n",
                     "\n*Nuestro*: la fuente no da el valor; este lo hemos reconstruido.\n"});
       break;
@@ -168,11 +192,60 @@ class Page {
 
   const Descriptor& kind_;
   Language language_;
+  int level_;
   std::string out_;
 };
+
+constexpr Text kIntroduction = {
+    R"(# ganglion kinds [KIND]
+
+Lists every kind of component, or shows the page of one (its own name or the paper's: `DynamicMapRouter`, `AmDmr`).
+`--language es` does so in Spanish, `--json` gives all of it as data with the texts in both languages, and `--markdown` prints
+this page ([in Spanish](kinds.es.md)): it is written by the program from what each kind says of itself, and a test
+compares the two.
+
+*Ours* marks a value that the source does not give: a reconstruction, never the author's. Keys that every component of a
+class takes besides, as `in.<port>`, `command`, `tolerance`, stand in [controller.toml](controller_toml.md); those of sensors and
+drives in [robot.toml](robot_toml.md). What `status` and `reason` say: [controller.toml](controller_toml.md#status-and-reason).
+)",
+    R"(# ganglion kinds [TIPO]
+
+Enumera todos los tipos de componente, o muestra la página de uno (su nombre o el del artículo: `DynamicMapRouter`, `AmDmr`).
+`--language es` lo hace en español, `--json` lo da todo como datos con los textos en ambos idiomas y `--markdown` imprime
+esta página ([en inglés](kinds.md)): la escribe el programa a partir de lo que cada tipo dice de sí mismo, y una prueba
+compara ambas cosas.
+
+*Nuestro* señala un valor que la fuente no da: una reconstrucción, nunca del autor. Las claves que además admite todo componente
+de una clase, como `in.<puerto>`, `command` o `tolerance`, están en [controller.toml](controller_toml.md); las de sensores y
+tracciones, en [robot.toml](robot_toml.md). Qué dicen `status` y `reason`: [controller.toml](controller_toml.md#status-and-reason).
+)"};
+
+/// Which kinds there are, each with a link to its part of the page.
+std::string contents(std::span<const Descriptor* const> kinds, Language language) {
+  std::string table =
+      fmt::format("\n| {} |\n| --- | --- |\n", in(language, {"kind | what it does", "tipo | qué hace"}));
+  for (const Descriptor* kind : kinds) {
+    const std::string title = title_of(*kind);
+    table += fmt::format("| [{}](#{}) | {} |\n", title, anchor_of(title), cell(in(language, kind->summary)));
+  }
+  return table;
+}
 
 }  // namespace
 
 std::string kind_page(const Descriptor& kind, Language language) { return Page(kind, language).run(); }
+
+std::string kinds_page(std::span<const Descriptor* const> kinds, Language language) {
+  std::string page = std::string(in(language, kIntroduction)) + contents(kinds, language);
+  const Descriptor* before = nullptr;
+  for (const Descriptor* kind : kinds) {
+    if (!before || before->component_class != kind->component_class) {
+      page += fmt::format("\n## {}\n", in(language, kGroups[static_cast<std::size_t>(kind->component_class)]));
+    }
+    page += "\n" + Page(*kind, language, 3).run();
+    before = kind;
+  }
+  return page;
+}
 
 }  // namespace ganglion

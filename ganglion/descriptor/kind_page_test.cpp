@@ -65,11 +65,31 @@ TEST(KindPage, ShowsPortsAndParametersInEnglish) {
 TEST(KindPage, SpeaksSpanish) {
   const std::string page = kind_page(kKind, Language::Spanish);
   for (const char* line :
-       {"Módulo actuador. Retrocede ante lo cercano\n", "## Entradas\n", "## Salidas\n", "## Parámetros\n",
-        "| `ahead` | realimentación | m | real | 1 | sí | Distancia al frente |\n",
+       {"Módulo de actuación. Retrocede ante lo cercano\n", "## Entradas\n", "## Salidas\n", "## Parámetros\n",
+        "| `ahead` | retroalimentación | m | real | 1 | sí | Distancia al frente |\n",
         "| `trigger_range_m` | m | 0 .. 3 | 0.1 | Actúa más cerca *Nuestro.* |\n", "Fuente: A paper, section 2\n"}) {
     EXPECT_NE(page.find(line), std::string::npos) << line << "is not in\n" << page;
   }
+}
+
+TEST(KindsPage, ListsKindsWithLinksAndHoldsTheirPagesByClass) {
+  Descriptor other = kKind;
+  other.component_class = ComponentClass::Sensing;
+  other.name = "Blur";
+  other.paper_name = "";
+  const std::array<const Descriptor*, 2> kinds = {&other, &kKind};
+  const std::string page = kinds_page(kinds, Language::English);
+  std::size_t at = 0;  // in this order
+  for (const char* line :
+       {"# ganglion kinds [KIND]\n", "| [Blur](#blur) | Backs off from what is near |\n",
+        "| [BackOff (AmBk)](#backoff-ambk) |", "\n## Sensing modules\n\n### Blur\n\nSensing module. Backs off",
+        "\n#### Inputs\n", "\n#### Parameters\n", "\n## Acting modules\n\n### BackOff (AmBk)\n",
+        "\nSource: A paper, section 2\n"}) {
+    const std::size_t found = page.find(line, at);
+    ASSERT_NE(found, std::string::npos) << line << "is not in the rest of\n" << page;
+    at = found;
+  }
+  EXPECT_NE(kinds_page(kinds, Language::Spanish).find("\n## Módulos de detección\n"), std::string::npos);
 }
 
 TEST(KindsJson, HoldsWhatPaletteAndFormsNeed) {

@@ -1,4 +1,4 @@
-# SOURCE: the project; COPY: a folder to work in. The copy lies as deep as the project's own build folder, so that the
+# SOURCE: the project; COPY: a folder to work in; PYTHON: python3. The copy lies as deep as the project's own build folder, so that the
 # compiler cache knows every file but the new ones.
 file(REMOVE_RECURSE ${COPY})
 file(COPY ${SOURCE}/apps ${SOURCE}/cmake ${SOURCE}/ganglion ${SOURCE}/CMakeLists.txt ${SOURCE}/CMakePresets.json
@@ -14,6 +14,11 @@ foreach(file IN LISTS files)
   string(REPLACE ClosingSpeed Copycat text "${text}")
   file(WRITE ${kind}/${name} "${text}")
 endforeach()
+
+# And the kind that CONTRIBUTING.md walks through, as its text stands there.
+execute_process(COMMAND ${PYTHON} -B ${CMAKE_CURRENT_LIST_DIR}/made_files.py ${SOURCE}/CONTRIBUTING.md ${COPY}
+                COMMAND_ERROR_IS_FATAL ANY)
+file(WRITE ${COPY}/ganglion/sensing/low_pass/CMakeLists.txt "ganglion_add_kind(low_pass)\n")
 
 function(run)
   execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${COPY} RESULT_VARIABLE failed OUTPUT_VARIABLE said ERROR_VARIABLE said)
@@ -31,4 +36,8 @@ foreach(call "kinds;--json" "kinds;Copycat" "kinds;Copycat;--language;es")
     message(FATAL_ERROR "ganglion ${call} does not know the new kind: ${said}")
   endif()
 endforeach()
+run(build/release/bin/ganglion kinds LowPass)
+if(NOT said MATCHES "time_constant_s")
+  message(FATAL_ERROR "the kind of CONTRIBUTING.md is another than it shows: ${said}")
+endif()
 file(REMOVE_RECURSE ${COPY})

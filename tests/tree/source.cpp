@@ -92,8 +92,7 @@ std::vector<std::string> source_files(const std::filesystem::path& root) {
 }
 
 bool is_test(const std::string& file) {
-  return file.ends_with("_test.cpp") || file.find("/testing/") != std::string::npos ||
-         file.ends_with("_test_support.h");
+  return file.ends_with("_test.cpp") || file.find("/testing/") != std::string::npos;
 }
 
 bool is_cpp(const std::string& file) { return file.ends_with(".cpp") || file.ends_with(".h"); }

@@ -56,7 +56,7 @@ inline constexpr ParameterDescriptor kFullScaleParameter{
     .preset = 0.2,
     .min = 1e-6,
     .max = 50,
-    .help = {"Speed of a side at duty 1", "Velocidad de un lado con mando 1"}};
+    .help = {"Speed of a side at duty 1", "Velocidad de un lado con ciclo de trabajo 1"}};
 inline constexpr ParameterDescriptor kTrackParameter{
     .name = "track_m",
     .unit = "m",
@@ -69,7 +69,7 @@ inline constexpr ParameterDescriptor kDeadZoneParameter{
     .preset = 0,
     .min = 0,
     .max = 1,
-    .help = {"Duties of less do not move a side", "Mandos menores no mueven un lado"},
+    .help = {"Duties of less do not move a side", "Ciclos de trabajo menores no mueven un lado"},
     .ours = true};
 inline constexpr ParameterDescriptor kLeftGainParameter{
     .name = "left_gain",
@@ -94,7 +94,7 @@ inline constexpr ParameterDescriptor kMotorLagParameter{
     .min = 0,
     .max = 60,
     .help = {"Time constant with which speeds follow duties",
-             "Constante de tiempo con que las velocidades siguen a los mandos"},
+             "Constante de tiempo con que las velocidades siguen a los ciclos de trabajo"},
     .ours = true};
 /// What those parameters say.
 WheelPairConfig wheel_pair_config(const Parameters& parameters);

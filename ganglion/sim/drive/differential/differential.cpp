@@ -11,7 +11,7 @@ constexpr std::array kPorts = {
                    .role = PortRole::Command,
                    .size = 2,
                    .elements = kSides,
-                   .help = {"Duties of the wheels in [-1, 1]", "Mandos de las ruedas en [-1, 1]"}},
+                   .help = {"Duties of the wheels in [-1, 1]", "Ciclos de trabajo de las ruedas en [-1, 1]"}},
 };
 constexpr std::array kParameters = {kFullScaleParameter, kTrackParameter,     kDeadZoneParameter,
                                     kLeftGainParameter,  kRightGainParameter, kMotorLagParameter};

@@ -33,7 +33,7 @@ constexpr std::array kParameters = {
         .min = 0,
         .max = 180,
         .help = {"Largest change of heading in one step; commands that ask for more are not carried out",
-                 "Mayor cambio de rumbo en un paso; no se ejecuta una orden que pida más"}},
+                 "Mayor cambio de rumbo en un paso; no se ejecuta un mando que pida más"}},
 };
 
 Result<std::unique_ptr<Drive>> make(const Parameters& parameters) {

@@ -21,7 +21,7 @@ constexpr std::array kPorts = {
                    .unit = "rad",
                    .type = ValueType::Circular,
                    .help = {"Bearing of the goal from the robot, in the world",
-                            "Dirección de la meta desde el robot, en el mundo"}},
+                            "Dirección del objetivo desde el robot, en el mundo"}},
 };
 constexpr std::array kParameters = {
     ParameterDescriptor{.name = "cell_m",
@@ -30,20 +30,20 @@ constexpr std::array kParameters = {
                         .min = 1e-3,
                         .max = 1000,
                         .help = {"Side of a cell", "Lado de una celda"}},
-    ParameterDescriptor{
-        .name = "goals",
-        .type = ParameterType::Integer,
-        .preset = 20,
-        .min = 1,
-        .max = static_cast<double>(kMaxGoals),
-        .help = {"How many goals to draw, where `cells` gives none", "Cuántas metas sortear, si `cells` no da ninguna"},
-        .ours = true},
+    ParameterDescriptor{.name = "goals",
+                        .type = ParameterType::Integer,
+                        .preset = 20,
+                        .min = 1,
+                        .max = static_cast<double>(kMaxGoals),
+                        .help = {"How many goals to draw, where `cells` gives none",
+                                 "Cuántos objetivos sortear, si `cells` no da ninguno"},
+                        .ours = true},
     ParameterDescriptor{.name = "sealed_share",
                         .preset = 0,
                         .min = 0,
                         .max = 1,
                         .help = {"Share of the drawn goals that are free but out of reach",
-                                 "Parte de las metas sorteadas libres pero inalcanzables"},
+                                 "Parte de los objetivos sorteados libres pero inalcanzables"},
                         .ours = true},
     ParameterDescriptor{
         .name = "patience_s",
@@ -51,7 +51,7 @@ constexpr std::array kParameters = {
         .preset = 0,
         .min = 0,
         .max = 1e6,
-        .help = {"A goal is given up after that; 0 = never", "Una meta se abandona tras ese tiempo; 0 = nunca"},
+        .help = {"A goal is given up after that; 0 = never", "Un objetivo se abandona tras ese tiempo; 0 = nunca"},
         .ours = true},
     ParameterDescriptor{
         .name = "max_turn_deg",
@@ -68,7 +68,7 @@ constexpr std::array kParameters = {
         .type = ParameterType::Reals,
         .min = -1e9,
         .max = 1e9,
-        .help = {"Goals in order: column, row, column, row...", "Metas en orden: columna, fila, columna, fila..."},
+        .help = {"Goals in order: column, row, column, row...", "Objetivos en orden: columna, fila, columna, fila..."},
         .ours = true},
 };
 
@@ -109,7 +109,8 @@ Result<std::unique_ptr<Sensor>> make(const Parameters& parameters) {
 extern constinit const SensorKind trainer_kind{
     .descriptor = {.component_class = ComponentClass::Sensor,
                    .name = "Trainer",
-                   .summary = {"Sets goals for the robot, one after the other", "Fija metas al robot, una tras otra"},
+                   .summary = {"Sets goals for the robot, one after the other",
+                               "Fija objetivos al robot, uno tras otro"},
                    .ports = kPorts,
                    .parameters = kParameters,
                    .source = "A growing functional modules locomotion subsystem, section 5; drawing and log ours"},

@@ -1,0 +1,10 @@
+# PROGRAM: ganglion; EXAMPLE: a folder; WORK: a folder to write to. It has no mistakes, and its robot does what it shows.
+file(GLOB controllers ${EXAMPLE}/controller*.toml)
+file(REMOVE_RECURSE ${WORK})
+foreach(call "check;${EXAMPLE};${controllers}" "run;${EXAMPLE};--out;${WORK}")
+  execute_process(COMMAND ${PROGRAM} ${call} RESULT_VARIABLE code OUTPUT_VARIABLE said ERROR_VARIABLE said)
+  if(NOT code EQUAL 0)
+    list(JOIN call " " call)
+    message(FATAL_ERROR "ganglion ${call}: exit code ${code}\n${said}")
+  endif()
+endforeach()

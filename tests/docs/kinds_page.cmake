@@ -1,0 +1,10 @@
+# PROGRAM: ganglion; PAGES: docs/manual; LANGUAGE: en or es. The page on kinds is what the program writes.
+set(page ${PAGES}/kinds.md)
+if(LANGUAGE STREQUAL es)
+  set(page ${PAGES}/kinds.es.md)
+endif()
+execute_process(COMMAND ${PROGRAM} kinds --markdown --language ${LANGUAGE} OUTPUT_VARIABLE written COMMAND_ERROR_IS_FATAL ANY)
+file(READ ${page} shown)
+if(NOT shown STREQUAL written)
+  message(FATAL_ERROR "${page} is not what the program writes; run: ganglion kinds --markdown --language ${LANGUAGE}")
+endif()
