@@ -7,7 +7,8 @@ set(CMAKE_CXX_FLAGS_RELEASE "-O2")  # keeps assert-like checks: a robot prefers 
 
 set(GANGLION_SANITIZE "" CACHE STRING "Sanitizers for every target, as in -fsanitize=")
 
-# Most of the time of a compiler goes into headers, not into our sources. The preset `plain` switches both off.
+# Most of the time of a compiler goes into headers, not into our sources. The preset `plain` switches both off. Tests are
+# compiled one by one, since their little helpers share names from folder to folder (`step`, `nimrod`, `kNaN`).
 option(GANGLION_UNITY "Compile the sources of a target together, a handful at a time" ON)
 option(GANGLION_PRECOMPILE "Compile the headers that nearly all sources share only once" ON)
 set(CMAKE_UNITY_BUILD ${GANGLION_UNITY})
