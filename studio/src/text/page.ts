@@ -88,7 +88,7 @@ export const pageEs: typeof pageEn = {
     request: 'solicitud',
     feedback: 'retroalimentación',
     cost: 'costo',
-    command: 'comando',
+    command: 'mando',
     appraisal: 'valoración',
     percept: 'percepción',
     candidate: 'candidato',

@@ -26,7 +26,7 @@ export const tourEs: typeof tourEn = {
   tour: {
     title: 'Guía: el buscador de rutas de la figura 6',
     intro:
-      'Un módulo de actuación, su solicitud dada por el objetivo App, retroalimentación del robot, un comando. Constrúyalo y ejecútelo.',
+      'Un módulo de actuación, su solicitud dada por el objetivo App, retroalimentación del robot, un mando. Constrúyalo y ejecútelo.',
     show: 'Hágalo por mí',
     progress: (at: number, of: number) => `Paso ${at} de ${of}:`,
     finish: 'Terminar la guía',
@@ -38,7 +38,7 @@ export const tourEs: typeof tourEn = {
       app: 'Añada el objetivo App y conecte la sensación del objetivo a su solicitud: la aplicación es el entrenador.',
       router: 'Añada el módulo de actuación DynamicMapRouter (AmDmr).',
       wires: 'Conecte goal, cell, position, heading, contact y goal_direction del módulo.',
-      command: 'Haga que el módulo conduzca el comando step: ocho direcciones, las amplitudes del artículo.',
+      command: 'Haga que el módulo conduzca el mando step: ocho direcciones, las amplitudes del artículo.',
       run: 'Configure el experimento y ejecute: vea crecer el mapa hasta alcanzar el objetivo.',
     },
   },
