@@ -17,13 +17,13 @@ endforeach()
 # build_and_run(NAME COMPILER FLAGS): leaves what the probe printed in WORK/NAME.txt.
 function(build_and_run name compiler flags)
   set(folder ${WORK}/${name})
-  set(configure "-S;${SOURCE};-B;${folder};-G;Ninja;-DCMAKE_CXX_COMPILER=${compiler};-DCMAKE_BUILD_TYPE=None;-DCMAKE_CXX_FLAGS=${flags}")
+  set(configure "-S;${SOURCE};-B;${folder};-G;Ninja;-DCMAKE_CXX_COMPILER=${compiler};-DCMAKE_BUILD_TYPE=None;-DCMAKE_CXX_FLAGS=${flags};-DGANGLION_STUDIO=OFF")
   if(name STREQUAL plain)
     set(folder ${SOURCE}/build/plain)
-    set(configure "--preset;plain")
+    set(configure "--preset;plain;-DGANGLION_STUDIO=ON")
   endif()
   foreach(step
-      "${CMAKE_COMMAND};${configure};-DGANGLION_TESTS=OFF;-DGANGLION_STUDIO=OFF;-DGANGLION_DIGEST_PROBE=ON"
+      "${CMAKE_COMMAND};${configure};-DGANGLION_TESTS=OFF;-DGANGLION_DIGEST_PROBE=ON"
       "${CMAKE_COMMAND};--build;${folder};--target;digest_probe;-j;${JOBS}")
     execute_process(COMMAND ${step} WORKING_DIRECTORY ${SOURCE} RESULT_VARIABLE failed OUTPUT_VARIABLE said
                     ERROR_VARIABLE said)

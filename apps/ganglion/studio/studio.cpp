@@ -11,7 +11,7 @@
 #include "ganglion/studio/api/programs.h"
 #include "interrupt.h"
 #include "say.h"
-#include "studio.h"
+#include "studio/studio.h"
 
 extern char** environ;
 

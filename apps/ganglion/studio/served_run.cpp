@@ -1,0 +1,102 @@
+#include "watched_run.h"
+
+#include <chrono>
+#include <thread>
+
+#include "ganglion/studio/api/programs.h"
+#include "ganglion/studio/live/run_session.h"
+#include "interrupt.h"
+#include "say.h"
+#include "studio/studio.h"
+
+namespace ganglion {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kTellEvery_s = 0.5;  // of wall time
+
+fs::path folder_of(const fs::path& experiment) {
+  return fs::is_directory(experiment) ? experiment : fs::absolute(experiment).parent_path();
+}
+
+class ServedRun final : public WatchedRun {
+ public:
+  ServedRun(std::unique_ptr<studio::Server> server, studio::Json state)
+      : server_(std::move(server)), state_(std::move(state)) {}
+
+  /// Has `options` tell the server of the run.
+  void follow(RunOptions& options);
+  void conclude(const RunResult& result) override;
+  void serve_until_interrupted() const override;
+
+ private:
+  void tell(std::string_view phase, double share);
+
+  std::unique_ptr<studio::Server> server_;
+  std::shared_ptr<studio::LiveFeed> feed_ = std::make_shared<studio::LiveFeed>();
+  studio::Json state_;
+  double told_s_ = 0;
+};
+
+void ServedRun::follow(RunOptions& options) {
+  options.watcher = feed_.get();
+  options.armed = [this] {
+    feed_->arm();
+    tell("running", 0);
+    return true;
+  };
+  options.progress = [this, before = options.progress](double share) {
+    if (wall_s() - told_s_ > kTellEvery_s) tell("running", share);
+    return !before || before(share);
+  };
+  server_->attach(feed_, state_);
+  tell("preparing", 0);
+  announce_studio(*server_, true);
+}
+
+void ServedRun::tell(std::string_view phase, double share) {
+  const double now_s = wall_s();
+  const double duration_s = state_["duration_s"];
+  const double before_s = state_.value("time_s", 0.0);
+  state_["state"] = phase;
+  state_["speed"] = now_s > told_s_ && share > 0 ? (share * duration_s - before_s) / (now_s - told_s_) : 0.0;
+  state_["time_s"] = share * duration_s;
+  state_["share"] = share;
+  told_s_ = now_s;
+  server_->tell_attached(state_);
+}
+
+void ServedRun::conclude(const RunResult& result) {
+  while (!feed_->flush()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  state_["outcome"] = studio::outcome_json(result, "");
+  tell("done", state_.value("share", 1.0));
+}
+
+void ServedRun::serve_until_interrupted() const {
+  fmt::print(stderr, "The run is over; the studio goes on showing it until ctrl-C: {}\n", server_->url());
+  while (!interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+}
+
+}  // namespace
+
+Result<std::unique_ptr<WatchedRun>> WatchedRun::open(const fs::path& experiment, const Prepared& prepared,
+                                                     RunOptions& options) {
+  auto server = studio::Server::start({.folder = folder_of(experiment), .programs = studio::programs_file()});
+  if (!server) return tl::unexpected<Error>(server.error());
+  std::error_code error;
+  const studio::Json state = {
+      {"run", "1"},
+      {"experiment", prepared.experiment.files.experiment.filename().string()},
+      {"controller", fs::relative(prepared.experiment.files.controller, folder_of(experiment), error).generic_string()},
+      {"name", prepared.experiment.name},
+      {"seed", options.seed},
+      {"pace", options.pace},
+      {"duration_s", prepared.experiment.duration_s},
+      {"outcome", nullptr}};
+  auto served = std::make_unique<ServedRun>(std::move(*server), state);
+  served->follow(options);
+  return served;
+}
+
+}  // namespace ganglion
