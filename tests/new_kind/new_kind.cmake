@@ -1,5 +1,6 @@
 # SOURCE: the project; COPY: a folder to work in; PYTHON: python3. The copy lies as deep as the project's own build folder, so that the
-# compiler cache knows every file but the new ones.
+# compiler cache knows every file but the new ones; source by source, as ./dev lint has compiled them, since what is compiled
+# together names the folder it stands in.
 file(REMOVE_RECURSE ${COPY})
 file(COPY ${SOURCE}/apps ${SOURCE}/cmake ${SOURCE}/ganglion ${SOURCE}/CMakeLists.txt ${SOURCE}/CMakePresets.json
      DESTINATION ${COPY})
@@ -28,20 +29,20 @@ function(run)
   set(said "${said}" PARENT_SCOPE)
 endfunction()
 
-run(${CMAKE_COMMAND} --preset release -DGANGLION_TESTS=OFF -DGANGLION_STUDIO=OFF)
-run(${CMAKE_COMMAND} --build build/release --target ganglion)
+run(${CMAKE_COMMAND} --preset plain -DGANGLION_TESTS=OFF -DGANGLION_STUDIO=OFF)
+run(${CMAKE_COMMAND} --build build/plain --target ganglion)
 foreach(call "kinds;--json" "kinds;Copycat" "kinds;Copycat;--language;es")
-  run(build/release/bin/ganglion ${call})
+  run(build/plain/bin/ganglion ${call})
   if(NOT said MATCHES "Copycat")
     message(FATAL_ERROR "ganglion ${call} does not know the new kind: ${said}")
   endif()
 endforeach()
-run(build/release/bin/ganglion kinds LowPass)
+run(build/plain/bin/ganglion kinds LowPass)
 if(NOT said MATCHES "time_constant_s")
   message(FATAL_ERROR "the kind of CONTRIBUTING.md is another than it shows: ${said}")
 endif()
 # The only program of the tests that is built without the studio says so.
-execute_process(COMMAND build/release/bin/ganglion studio experiments WORKING_DIRECTORY ${COPY} RESULT_VARIABLE code
+execute_process(COMMAND build/plain/bin/ganglion studio experiments WORKING_DIRECTORY ${COPY} RESULT_VARIABLE code
                 ERROR_VARIABLE said)
 if(NOT code EQUAL 2 OR NOT said MATCHES "built without the studio")
   message(FATAL_ERROR "a program without the studio ended with ${code} and said: ${said}")
