@@ -50,6 +50,17 @@ double share_of_healthy(const FaultRow& row, const FaultRow& healthy) {
   return healthy.succeeded > 0 ? share(row) / share(healthy) : std::numeric_limits<double>::quiet_NaN();
 }
 
+/// Of one run the value, of several the quartiles.
+std::string measures_table(const std::vector<Quartiles>& measures, bool one_run) {
+  std::string text = one_run ? fmt::format("{:<26}{:>12}\n", "measure", "value")
+                             : fmt::format("{:<26}{:>12}{:>12}{:>12}\n", "measure", "lower", "median", "upper");
+  for (const Quartiles& one : measures) {
+    text += one_run ? fmt::format("{:<26}{:>12.4g}\n", one.name, one.median)
+                    : fmt::format("{:<26}{:>12.4g}{:>12.4g}{:>12.4g}\n", one.name, one.lower, one.median, one.upper);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string results_json(const std::vector<RunResult>& results) {
@@ -69,12 +80,8 @@ std::string results_table(const std::vector<RunResult>& results) {
                         result.digest, known ? fmt::format("{}", result.contacts.count) : "-",
                         known ? fmt::format("{:.3f}", result.contacts.fastest_mps) : "-", result.reason);
   }
-  text += fmt::format("\n{} of {} succeeded\n{:<26}{:>12}{:>12}{:>12}\n", succeeded(results), results.size(), "measure",
-                      "lower", "median", "upper");
-  for (const Quartiles& one : quartiles(results)) {
-    text += fmt::format("{:<26}{:>12.4g}{:>12.4g}{:>12.4g}\n", one.name, one.lower, one.median, one.upper);
-  }
-  return text;
+  text += fmt::format("\n{} of {} succeeded\n", succeeded(results), results.size());
+  return text + measures_table(quartiles(results), results.size() == 1);
 }
 
 std::string faults_json(const std::vector<FaultRow>& rows) {

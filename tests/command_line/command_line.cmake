@@ -30,6 +30,12 @@ call(1 run experiments/nimrod --seed 1 --set run.duration_s=20 --json --no-recor
      --set application.robot.sensor.sonar_left.fault=dead --set application.robot.sensor.sonar_right.fault=dead)
 expect("${out}" "not met: progress_m >= 0.1 \\(0")
 
+# One run has values, several have quartiles.
+call(1 run experiments/nimrod --seed 1 --set run.duration_s=1 --no-record --no-report)
+expect("${out}" "\nmeasure +value\nduration_s +1\n")
+call(0 run experiments/nimrod --seeds 1..2 --set run.duration_s=1 --no-record)
+expect("${out}" "\nmeasure +lower +median +upper\nduration_s +1 +1 +1\n")
+
 call(0 run experiments/nimrod --seeds 1..4 --threads 1 --set run.duration_s=20 --json --no-record)
 set(alone "${out}")
 call(0 run experiments/nimrod --seeds 1..4 --threads 2 --set run.duration_s=20 --json --no-record)
