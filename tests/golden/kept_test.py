@@ -33,7 +33,7 @@ def pathfinder(*experience):
 
 
 with tempfile.TemporaryDirectory() as folder:
-    for name in ("nimrod", "pathfinder", "yard"):
+    for name in ("nimrod", "pathfinder", "yard", "touched"):
         said = told("replay", kept / f"{name}.mcap")
         expect(said.strip().splitlines()[-1].startswith("same: digest "), f"{name} does not repeat: {said}")
         told("plot", kept / f"{name}.mcap", "--out", f"{folder}/{name}")
@@ -43,4 +43,4 @@ with tempfile.TemporaryDirectory() as folder:
     expect("DynamicMapRouter" in told("experience", "show", store), "the kept map is not listed")
     expect(pathfinder("--experience", store)["digest"] != pathfinder()["digest"], "the kept map changed nothing")
     told("runs", "compare", kept / "batch.json", kept / "batch.json", "--out", f"{folder}/page.html")
-print("3 run files, a map and a batch still serve")
+print("4 run files, a map and a batch still serve")
