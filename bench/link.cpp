@@ -81,7 +81,7 @@ class Linked {
       : idle_(robots),
         end_(idle_, nullptr, config()),
         server_(listening(end_)),
-        child_([this] { server_->serve([] { return false; }, ""); }) {
+        child_([this] { server_->serve([] { return false; }, {}); }) {
     link::RemoteConfig remote;
     remote.end.encoding = encoding;
     remote_ = link::RemoteApplication::connect(link::make_line(server_->address()), idle_.description(), robots, remote)

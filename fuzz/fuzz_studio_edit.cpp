@@ -61,7 +61,7 @@ void run_input(std::string_view input) {
   if (operations.is_discarded()) return;
   const auto edited = studio::edit(text, operations);
   if (!edited) {
-    must(!edited.error().message.empty(), "a refusal has a reason");
+    must(!edited.error().what.empty(), "a refusal has a reason");
     return;
   }
   opened(edited->text);

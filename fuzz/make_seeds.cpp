@@ -137,7 +137,7 @@ void seed_mcap(const fs::path& folder) {
     recorder->write_json("/robot0/pose", "foxglove.PoseInFrame", 0.1 * tick, "{}");
     if (tick == 2) recorder->flush();
   }
-  good = good && recorder->finish({.digest = "00", .success = true, .reason = "goal"});
+  good = good && recorder->finish({.digest = "00", .success = true, .reason = {"goal", "meta"}});
 }
 
 /// The frames in some bytes, each a piece; the first of them some time after what was before.
@@ -195,7 +195,7 @@ void seed_session(const fs::path& folder, const std::string& name, const fuzz::D
     exchange(5);
   }
   good = good && controller.done();
-  controller.bye("done");
+  controller.bye(say({"done", "listo"}));
   exchange(0);
   keep(folder / (name + "_to_robot"), to_robot.text());
   keep(folder / (name + "_to_controller"), to_controller.text());

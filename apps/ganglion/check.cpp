@@ -4,6 +4,18 @@
 #include "say.h"
 
 namespace ganglion {
+namespace {
+
+/// What check_file() took a file for, in words.
+Text type_in_words(std::string_view type) noexcept {
+  if (type == "experiment") return {"experiment", "experimento"};
+  if (type == "controller") return {"controller", "controlador"};
+  if (type == "robot") return {"robot", "robot"};
+  if (type == "world") return {"world", "mundo"};
+  return {"map", "mapa"};
+}
+
+}  // namespace
 
 void add_check(CLI::App& program, int& code) {
   auto files = std::make_shared<std::vector<std::string>>();
@@ -16,7 +28,7 @@ void add_check(CLI::App& program, int& code) {
     for (const std::string& file : *files) {
       const auto before = problems.size();
       const std::string what = check_file(file, problems);
-      if (problems.size() == before) fmt::print("{}: {}, no problems\n", file, what);
+      if (problems.size() == before) tell({"{}: {}, no problems", "{}: {}, sin problemas"}, file, type_in_words(what));
     }
     if (!problems.empty()) code = complain(problems);
   });

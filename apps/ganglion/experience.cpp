@@ -17,13 +17,21 @@ std::string date_of(std::int64_t seconds) {
   return text;
 }
 
+/// Opens one that is there.
+Result<ExperienceStore> open(const std::string& file) {
+  if (!std::filesystem::exists(file)) {
+    return fail_at({file}, ErrorCode::NotFound, {"there is no such file", "no existe ese archivo"});
+  }
+  return ExperienceStore::open(file);
+}
+
 int show(const std::string& file) {
-  if (!std::filesystem::exists(file)) return complain(Error{ErrorCode::NotFound, "there is no such file", {file}});
-  const auto store = ExperienceStore::open(file);
+  const auto store = open(file);
   if (!store) return complain(store.error());
   const auto list = store->list();
   if (!list) return complain(list.error());
-  fmt::print("{:<24}{:<24}{:>8}{:>12}  {}\n", "component", "kind", "parts", "bytes", "saved");
+  tell({"{:<24}{:<24}{:>8}{:>12}  {}", "{:<24}{:<24}{:>8}{:>12}  {}"}, Text{"component", "componente"},
+       Text{"kind", "tipo"}, Text{"parts", "partes"}, "bytes", Text{"saved", "guardado"});
   for (const StoredComponent& one : *list) {
     fmt::print("{:<24}{:<24}{:>8}{:>12}  {}\n", one.component, one.kind, one.parts, one.bytes, date_of(one.saved_s));
   }
@@ -31,12 +39,11 @@ int show(const std::string& file) {
 }
 
 int forget(const std::string& file, const std::string& component) {
-  if (!std::filesystem::exists(file)) return complain(Error{ErrorCode::NotFound, "there is no such file", {file}});
-  auto store = ExperienceStore::open(file);
+  auto store = open(file);
   if (!store) return complain(store.error());
   const auto dropped = store->forget(component);
   if (!dropped) return complain(dropped.error());
-  fmt::print("{}: {} parts forgotten\n", component, *dropped);
+  tell({"{}: {} parts forgotten", "{}: {} partes olvidadas"}, component, *dropped);
   return *dropped > 0 ? kDone : kBadInput;
 }
 

@@ -15,14 +15,16 @@ int format_file(const std::string& file, bool check) {
   if (!formatted) return complain(formatted.error());
   if (*formatted == *text) return kDone;
   if (check) {
-    fmt::print("{}: not in the common layout; run ganglion format {}\n", file, file);
+    tell({"{}: not in the common layout; run ganglion format {}",
+          "{}: no tiene la presentación común; ejecute ganglion format {}"},
+         file, file);
     return kRobotFailed;
   }
   if (const auto written = write_file(file, *formatted); !written) {
     complain(written.error());
     return kOutputFailed;
   }
-  fmt::print("{}: laid out anew\n", file);
+  tell({"{}: laid out anew", "{}: presentado de nuevo"}, file);
   return kDone;
 }
 

@@ -7,13 +7,13 @@ namespace {
 
 volatile std::sig_atomic_t caught = 0;
 
-void note(int) { caught = 1; }
+void take_signal(int) { caught = 1; }
 
 }  // namespace
 
 void catch_interrupts() {
-  std::signal(SIGINT, note);
-  std::signal(SIGTERM, note);
+  std::signal(SIGINT, take_signal);
+  std::signal(SIGTERM, take_signal);
 }
 
 void report_full_files() { std::signal(SIGXFSZ, SIG_IGN); }

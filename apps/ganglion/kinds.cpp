@@ -3,15 +3,16 @@
 #include "ganglion/base/text.h"
 #include "ganglion/descriptor/kind_page.h"
 #include "ganglion/descriptor/kinds_json.h"
+#include "language.h"
 #include "say.h"
 
 namespace ganglion {
 namespace {
 
-int list_kinds(Language language) {
+int list_kinds() {
   for (const Descriptor* kind : all_descriptors()) {
     fmt::print("{:<12} {:<26} {:<8} {}\n", name_of(kind->component_class), kind->name, kind->paper_name,
-               language == Language::Spanish ? kind->summary.es : kind->summary.en);
+               kind->summary.in(language()));
   }
   return kDone;
 }
@@ -28,13 +29,12 @@ std::vector<const Descriptor*> matching(const std::string& name) {
 
 void add_kinds(CLI::App& program, int& code) {
   struct KindsArguments {
-    std::string kind, language = "en";
+    std::string kind;
     bool json = false, markdown = false;
   };
   auto arguments = std::make_shared<KindsArguments>();
   CLI::App* command = program.add_subcommand("kinds", "The kinds of component: all of them, or the page of one");
   command->add_option("kind", arguments->kind, "Name or the paper's name, e.g. DynamicMapRouter or AmDmr");
-  command->add_option("--language", arguments->language, "en or es")->check(CLI::IsMember({"en", "es"}));
   command->add_flag("--json", arguments->json, "As data: ports, parameters, texts in both languages");
   command->add_flag("--markdown", arguments->markdown, "The manual's page on all kinds, docs/manual/kinds.md")
       ->excludes("--json");
@@ -47,21 +47,22 @@ void add_kinds(CLI::App& program, int& code) {
       "Exit codes: 0 done, 2 there is no such kind.");
   command->callback([arguments, &code] {
     const auto found = matching(arguments->kind);
-    const Language language = arguments->language == "es" ? Language::Spanish : Language::English;
     if (found.empty()) {
       std::vector<std::string> names;
       for (const Descriptor* kind : all_descriptors()) names.emplace_back(kind->name);
-      code = complain(Error{ErrorCode::UnknownKey,
-                            fmt::format("\"{}\" is no kind{}", arguments->kind, suggestion(arguments->kind, names)),
-                            {}});
+      code = complain(Error{
+          ErrorCode::UnknownKey,
+          say({"\"{}\" is no kind{}", "\"{}\" no es un tipo{}"}, arguments->kind, suggestion(arguments->kind, names)),
+          {},
+          {.found = arguments->kind, .choices = names}});
     } else if (arguments->json) {
       fmt::print("{}", kinds_json(found));
     } else if (arguments->markdown) {
-      fmt::print("{}", kinds_page(found, language));
+      fmt::print("{}", kinds_page(found, language()));
     } else if (arguments->kind.empty()) {
-      code = list_kinds(language);
+      code = list_kinds();
     } else {
-      fmt::print("{}", kind_page(*found.front(), language));
+      fmt::print("{}", kind_page(*found.front(), language()));
     }
   });
 }

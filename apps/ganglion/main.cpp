@@ -4,9 +4,11 @@
 #include "commands.h"
 #include "ganglion/run/version.h"
 #include "interrupt.h"
+#include "language.h"
 
 int main(int argc, char** argv) {
   ganglion::report_full_files();
+  ganglion::choose_language(argc, argv);
   CLI::App program{"Ganglion: design, grow, run and measure controllers for small mobile robots", "ganglion"};
   program.set_version_flag("--version", std::string(ganglion::kVersion));
   program.require_subcommand(1);
@@ -30,13 +32,18 @@ int main(int argc, char** argv) {
   ganglion::add_experience(program, code);
   ganglion::add_schema(program, code);
   ganglion::add_studio(program, code);
+  ganglion::offer_languages(program);
+  program.failure_message(ganglion::refusal);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     const int status = program.exit(error);
     return status == 0 ? ganglion::kDone : ganglion::kBadInput;
   } catch (const std::bad_alloc&) {
-    std::fputs("out of memory: take fewer robots, threads or seeds, or a smaller world\n", stderr);
+    constexpr ganglion::Text kWords{"out of memory: take fewer robots, threads or seeds, or a smaller world\n",
+                                    "no queda memoria: tome menos robots, hilos o semillas, o un mundo más pequeño\n"};
+    const std::string_view words = kWords.in(ganglion::language());
+    std::fwrite(words.data(), 1, words.size(), stderr);
     return ganglion::kBadInput;
   }
   return code;

@@ -2,19 +2,19 @@
 #include "ganglion/plot/draw_all.h"
 #include "ganglion/plot/from_run_file.h"
 #include "ganglion/record/run_file.h"
+#include "language.h"
 #include "say.h"
 
 namespace ganglion {
 
 void add_plot(CLI::App& program, int& code) {
   struct PlotArguments {
-    std::string file, out, language = "en";
+    std::string file, out;
   };
   auto arguments = std::make_shared<PlotArguments>();
   CLI::App* command = program.add_subcommand("plot", "Draw the pictures of a recorded run, as SVG, PNG and PDF");
   command->add_option("file", arguments->file, "Run file (.mcap)")->required();
   command->add_option("--out", arguments->out, "Folder to write to")->required();
-  command->add_option("--language", arguments->language, "en or es")->check(CLI::IsMember({"en", "es"}));
   command->footer("Example:\n  ganglion plot runs/nimrod/seed_0001.mcap --out pictures");
   command->callback([arguments, &code] {
     const auto run = RunFile::read(arguments->file, Recover::Yes);
@@ -23,14 +23,13 @@ void add_plot(CLI::App& program, int& code) {
       return;
     }
     const plot::RunView view = plot::from_run_file(*run);
-    const auto language = arguments->language == "es" ? plot::Language::Spanish : plot::Language::English;
-    const auto files = plot::draw_all(view, arguments->out, language);
+    const auto files = plot::draw_all(view, arguments->out, language());
     if (!files) {
       complain(files.error());
       code = kOutputFailed;
       return;
     }
-    for (const auto& file : *files) fmt::print("wrote {}\n", file.string());
+    for (const auto& file : *files) tell({"wrote {}", "escrito {}"}, file.string());
   });
 }
 

@@ -1,7 +1,6 @@
 #include <cstdio>
 
 #include "commands.h"
-#include "ganglion/base/text.h"
 #include "ganglion/link/net/proxy.h"
 #include "interrupt.h"
 #include "say.h"
@@ -32,14 +31,13 @@ int proxy_command(const ProxyArguments& arguments) {
   if (!faults) return complain(faults.error());
   const std::string text = text_of(*faults);
   link::ProxyConfig config{*listen, *to, std::move(*faults), arguments.seed, nullptr};
-  if (!arguments.quiet) {
-    config.log = [](const std::string& line) { std::fprintf(stderr, "%s\n", printable(line).c_str()); };
-  }
+  if (!arguments.quiet) config.log = note;
   auto proxy = link::Proxy::listen(std::move(config));
   if (!proxy) return complain(proxy.error());
   catch_interrupts();
-  fmt::print("from {} to {} with --faults \"{}\" --seed {}; end it with ctrl-C\n", (*proxy)->address().text, to->text,
-             text, arguments.seed);
+  tell({"from {} to {} with --faults \"{}\" --seed {}; end it with ctrl-C",
+        "de {} a {} con --faults \"{}\" --seed {}; termínelo con ctrl-C"},
+       (*proxy)->address().text, to->text, text, arguments.seed);
   std::fflush(stdout);
   (*proxy)->serve([] { return interrupted(); });
   return kDone;

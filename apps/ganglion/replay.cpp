@@ -14,13 +14,15 @@ int replay_recorded(const std::string& file) {
   const auto result = replay_run(file);
   if (!result) return complain(result.error());
   if (result->same) {
-    fmt::print("same: digest {}\n", result->digest);
+    tell({"same: digest {}", "igual: huella {}"}, result->digest);
     return kDone;
   }
-  fmt::print("differs: recorded digest {}, repeated {}\n", result->recorded_digest, result->digest);
+  tell({"differs: recorded digest {}, repeated {}", "difiere: huella registrada {}, repetida {}"},
+       result->recorded_digest, result->digest);
   if (result->first_tick) {
-    fmt::print("first at tick {}, signal {}: recorded {}, repeated {}\n", *result->first_tick, result->signal,
-               shortest(result->recorded_value), shortest(result->value));
+    tell({"first at tick {}, signal {}: recorded {}, repeated {}",
+          "por primera vez en el ciclo {}, señal {}: registrado {}, repetido {}"},
+         *result->first_tick, result->signal, shortest(result->recorded_value), shortest(result->value));
   }
   return kRobotFailed;
 }
@@ -58,7 +60,8 @@ void add_replay(CLI::App& program, int& code) {
   command->callback([arguments, &code] {
     const bool controller = arguments->file.ends_with(".toml");
     if (controller && arguments->inputs.empty()) {
-      code = complain(Error{ErrorCode::MissingKey, "a controller needs --inputs IN.csv --out OUT.csv", {}});
+      code = complain(Error{ErrorCode::MissingKey, say({"a controller needs --inputs IN.csv --out OUT.csv",
+                                                        "un controlador necesita --inputs IN.csv --out OUT.csv"})});
     } else if (controller) {
       code = replay_csv(arguments->file, arguments->inputs, arguments->out);
     } else {

@@ -22,7 +22,7 @@ Json run_json(const RunResult& result) {
   for (const auto& [name, value] : result.measures) measures[name] = number(value);
   return {{"seed", result.seed},
           {"success", result.success},
-          {"reason", result.reason},
+          {"reason", result.reason.en},
           {"digest", result.digest},
           {"contacts", contacts_json(result.contacts)},
           {"measures", measures},
@@ -51,9 +51,12 @@ double share_of_healthy(const FaultRow& row, const FaultRow& healthy) {
 }
 
 /// Of one run the value, of several the quartiles.
-std::string measures_table(const std::vector<Quartiles>& measures, bool one_run) {
-  std::string text = one_run ? fmt::format("{:<26}{:>12}\n", "measure", "value")
-                             : fmt::format("{:<26}{:>12}{:>12}{:>12}\n", "measure", "lower", "median", "upper");
+std::string measures_table(const std::vector<Quartiles>& measures, bool one_run, Language language) {
+  constexpr Text kMeasure{"measure", "medida"};
+  const Sentence head = one_run ? say({"{:<26}{:>12}\n", "{:<26}{:>12}\n"}, kMeasure, Text{"value", "valor"})
+                                : say({"{:<26}{:>12}{:>12}{:>12}\n", "{:<26}{:>12}{:>12}{:>12}\n"}, kMeasure,
+                                      Text{"lower", "inferior"}, Text{"median", "mediana"}, Text{"upper", "superior"});
+  std::string text = head.in(language);
   for (const Quartiles& one : measures) {
     text += one_run ? fmt::format("{:<26}{:>12.4g}\n", one.name, one.median)
                     : fmt::format("{:<26}{:>12.4g}{:>12.4g}{:>12.4g}\n", one.name, one.lower, one.median, one.upper);
@@ -71,17 +74,19 @@ std::string results_json(const std::vector<RunResult>& results) {
   return Json{{"runs", runs}, {"summary", summary}}.dump(2) + "\n";
 }
 
-std::string results_table(const std::vector<RunResult>& results) {
-  std::string text = fmt::format("{:>6}  {:<8}{:<18}{:>9}{:>14}  {}\n", "seed", "success", "digest", "contacts",
-                                 "fastest [m/s]", "reason");
+std::string results_table(const std::vector<RunResult>& results, Language language) {
+  Sentence text = say({"{:>6}  {:<8}{:<18}{:>9}{:>14}  {}\n", "{:>7}  {:<8}{:<18}{:>9}{:>14}  {}\n"},
+                      Text{"seed", "semilla"}, Text{"success", "éxito"}, Text{"digest", "huella"},
+                      Text{"contacts", "contactos"}, Text{"fastest [m/s]", "mayor [m/s]"}, Text{"reason", "motivo"});
   for (const RunResult& result : results) {
     const bool known = result.contacts.known;
-    text += fmt::format("{:>6}  {:<8}{:<18}{:>9}{:>14}  {}\n", result.seed, result.success ? "yes" : "no",
-                        result.digest, known ? fmt::format("{}", result.contacts.count) : "-",
-                        known ? fmt::format("{:.3f}", result.contacts.fastest_mps) : "-", result.reason);
+    text += say({"{:>6}  {:<8}{:<18}{:>9}{:>14}  {}\n", "{:>7}  {:<8}{:<18}{:>9}{:>14}  {}\n"}, result.seed,
+                result.success ? Text{"yes", "sí"} : Text{"no", "no"}, result.digest,
+                known ? fmt::format("{}", result.contacts.count) : "-",
+                known ? fmt::format("{:.3f}", result.contacts.fastest_mps) : "-", result.reason);
   }
-  text += fmt::format("\n{} of {} succeeded\n", succeeded(results), results.size());
-  return text + measures_table(quartiles(results), results.size() == 1);
+  text += say({"\n{} of {} succeeded\n", "\n{} de {} con éxito\n"}, succeeded(results), results.size());
+  return text.in(language) + measures_table(quartiles(results), results.size() == 1, language);
 }
 
 std::string faults_json(const std::vector<FaultRow>& rows) {
@@ -99,16 +104,23 @@ std::string faults_json(const std::vector<FaultRow>& rows) {
   return Json{{"faults", list}}.dump(2) + "\n";
 }
 
-std::string faults_table(const std::vector<FaultRow>& rows) {
-  if (rows.empty()) return "interrupted before the first case was done\n";
+std::string faults_table(const std::vector<FaultRow>& rows, Language language) {
+  if (rows.empty()) {
+    return say({"interrupted before the first case was done\n", "interrumpida antes de terminar el primer caso\n"})
+        .in(language);
+  }
   std::size_t width = 8;
   for (const FaultRow& row : rows) width = std::max(width, row.name.size() + 2);
-  std::string text = fmt::format("{:<{}}{:>6}{:>11}{:>16}", "fault", width, "runs", "succeeded", "of the healthy");
+  const auto row_of = [&](const auto& name, const auto& runs, const auto& won, const auto& share) {
+    return say({"{:<{}}{:>6}{:>11}{:>16}", "{:<{}}{:>13}{:>11}{:>16}"}, name, width, runs, won, share).in(language);
+  };
+  std::string text = row_of(Text{"fault", "avería"}, Text{"runs", "ejecuciones"}, Text{"succeeded", "con éxito"},
+                            Text{"of the healthy", "del robot sano"});
   for (const auto& [criterion, runs] : rows.front().met) text += "  " + criterion;
   text += '\n';
   for (const FaultRow& row : rows) {
-    text += fmt::format("{:<{}}{:>6}{:>11}{:>14.0f} %", row.name, width, row.runs, row.succeeded,
-                        100 * share_of_healthy(row, rows.front()));
+    text +=
+        row_of(row.name, row.runs, row.succeeded, fmt::format("{:.0f} %", 100 * share_of_healthy(row, rows.front())));
     for (const auto& [criterion, runs] : row.met) text += fmt::format("{:>{}}", runs, criterion.size() + 2);
     text += '\n';
   }

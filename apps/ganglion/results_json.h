@@ -11,12 +11,12 @@ namespace ganglion {
 std::string results_json(const std::vector<RunResult>& results);
 
 /// One row a run and a summary, for people.
-std::string results_table(const std::vector<RunResult>& results);
+std::string results_table(const std::vector<RunResult>& results, Language language);
 
 /// `run --faults --json`: one object, `faults` with a row each: name, count, succeeded, share_of_healthy, quartiles.
 std::string faults_json(const std::vector<FaultRow>& rows);
 
 /// The same for people.
-std::string faults_table(const std::vector<FaultRow>& rows);
+std::string faults_table(const std::vector<FaultRow>& rows, Language language);
 
 }  // namespace ganglion

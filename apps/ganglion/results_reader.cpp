@@ -14,20 +14,26 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMaxRuns = 1'000'000;  // as many as run --seeds carries out
 
-tl::unexpected<Error> not_results(const std::string& file, const std::string& why) {
-  return fail_at({file}, ErrorCode::BadType, "{}; the file shall be what ganglion run --json prints", why);
+tl::unexpected<Error> not_results(const std::string& file, const Sentence& why) {
+  return fail_at({file}, ErrorCode::BadType,
+                 {"{}; the file shall be what ganglion run --json prints",
+                  "{}; el archivo debe ser lo que imprime ganglion run --json"},
+                 why);
 }
 
 Result<report::BatchRun> run_of(const Json& run, std::size_t index, const std::string& file) {
   const auto success = run.find("success"), measures = run.find("measures");
   if (!run.is_object() || success == run.end() || !success->is_boolean() || measures == run.end() ||
       !measures->is_object()) {
-    return not_results(file, fmt::format("runs[{}] has no \"success\" and \"measures\"", index));
+    return not_results(
+        file,
+        say({"runs[{}] has no \"success\" and \"measures\"", "runs[{}] no tiene \"success\" y \"measures\""}, index));
   }
   report::BatchRun read{.success = success->get<bool>(), .measures = {}};
   for (const auto& [name, value] : measures->items()) {
     if (!value.is_number() && !value.is_null())
-      return not_results(file, fmt::format("runs[{}].measures.{} is no number", index, name));
+      return not_results(
+          file, say({"runs[{}].measures.{} is no number", "runs[{}].measures.{} no es un número"}, index, name));
     read.measures.emplace_back(name, value.is_null() ? std::nan("") : value.get<double>());
   }
   return read;
@@ -37,9 +43,12 @@ Result<std::vector<report::BatchRun>> runs_of_json(const std::string& file) {
   const auto text = read_file(file);
   if (!text) return tl::unexpected<Error>(text.error());
   const Json all = Json::parse(*text, nullptr, false);
-  if (all.is_discarded()) return fail_at({file}, ErrorCode::Syntax, "no JSON; write it with ganglion run --json");
+  if (all.is_discarded())
+    return fail_at({file}, ErrorCode::Syntax,
+                   {"no JSON; write it with ganglion run --json", "no es JSON; escríbalo con ganglion run --json"});
   const auto runs = all.is_object() ? all.find("runs") : all.end();
-  if (runs == all.end() || !runs->is_array()) return not_results(file, "there is no list \"runs\"");
+  if (runs == all.end() || !runs->is_array())
+    return not_results(file, say({"there is no list \"runs\"", "no hay ninguna lista \"runs\""}));
   std::vector<report::BatchRun> read;
   for (const Json& run : *runs) {
     auto one = run_of(run, read.size(), file);
@@ -71,12 +80,15 @@ Result<report::NamedBatch> read_batch(const std::string& argument) {
   const bool named = equals != std::string::npos && !fs::exists(argument);
   const std::string path = named ? argument.substr(equals + 1) : argument;
   if (!fs::exists(path)) {
-    return fail_at({path}, ErrorCode::NotFound,
-                   "there is no such file or folder; name what run --json printed, or a folder of run files");
+    return fail_at(
+        {path}, ErrorCode::NotFound,
+        {"there is no such file or folder; name what run --json printed, or a folder of run files",
+         "no existe ese archivo ni esa carpeta; nombre lo que imprimió run --json, o una carpeta de ejecuciones"});
   }
   auto runs = fs::is_directory(path) ? runs_of_folder(path) : runs_of_json(path);
   if (!runs) return tl::unexpected<Error>(runs.error());
-  if (runs->empty()) return fail_at({path}, ErrorCode::NotFound, "there are no runs to compare");
+  if (runs->empty())
+    return fail_at({path}, ErrorCode::NotFound, {"there are no runs to compare", "no hay ejecuciones que comparar"});
   const fs::path normal = fs::absolute(path).lexically_normal();
   const std::string last = normal.has_filename() ? normal.stem().string() : normal.parent_path().filename().string();
   return report::NamedBatch{named ? argument.substr(0, equals) : last, std::move(*runs)};

@@ -13,6 +13,7 @@
 #include "ganglion/run/fault_matrix.h"
 #include "ganglion/run/recording.h"
 #include "interrupt.h"
+#include "language.h"
 #include "overrides.h"
 #include "results_json.h"
 #include "say.h"
@@ -34,7 +35,6 @@ struct RunArguments {
   std::string pace = "max";
   std::string out;
   std::string experience;
-  std::string language = "en";
   int threads = 0;
   bool json = false;
   bool no_record = false;
@@ -58,7 +58,10 @@ Result<double> pace_of(const std::string& text) {
   if (number.ends_with('x')) number.remove_suffix(1);
   const auto factor = parse_number(number);
   if (factor && *factor > 0 && std::isfinite(*factor)) return *factor;
-  return fail(ErrorCode::BadParameter, "--pace {}: write max, or a multiple of real time such as 1x or 0.5x", text);
+  return fail(ErrorCode::BadParameter,
+              {"--pace {}: write max, or a multiple of real time such as 1x or 0.5x",
+               "--pace {}: escriba max, o un múltiplo del tiempo real como 1x o 0.5x"},
+              text);
 }
 
 constexpr std::uint64_t kFaultSeeds = 20;  // of --faults without --seeds
@@ -73,7 +76,10 @@ Result<SeedRange> seeds_of(const std::string& text) {
   const auto last = dots != std::string::npos ? parse_number(text.substr(dots + 2)) : first;
   const bool whole = first && last && *first == std::floor(*first) && *last == std::floor(*last);
   if (!whole || *first < 0 || *last < *first || *last - *first >= 1e6 || *last > 9e15) {
-    return fail(ErrorCode::BadParameter, "--seeds {}: write two whole numbers, as in 1..100 (at most a million)", text);
+    return fail(ErrorCode::BadParameter,
+                {"--seeds {}: write two whole numbers, as in 1..100 (at most a million)",
+                 "--seeds {}: escriba dos números enteros, como 1..100 (un millón como máximo)"},
+                text);
   }
   return SeedRange{static_cast<std::uint64_t>(*first), static_cast<std::uint64_t>(*last)};
 }
@@ -124,7 +130,7 @@ void catalogue(const fs::path& folder, const std::vector<RunResult>& results, co
 }
 
 int print(const RunArguments& arguments, const std::vector<RunResult>& results) {
-  const std::string text = arguments.json ? results_json(results) : results_table(results);
+  const std::string text = arguments.json ? results_json(results) : results_table(results, language());
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
   return written ? kDone : kOutputFailed;
 }
@@ -142,7 +148,8 @@ int run_many(const Prepared& prepared, const RunArguments& arguments, const Seed
   const double start_s = wall_s();
   options.progress = [&](std::size_t done, std::size_t all) {
     line.show(static_cast<double>(done) / static_cast<double>(all),
-              fmt::format("{} of {} runs, {:.1f} runs/s", done, all, static_cast<double>(done) / (wall_s() - start_s)));
+              say({"{} of {} runs, {:.1f} runs/s", "{} de {} ejecuciones, {:.1f} por segundo"}, done, all,
+                  static_cast<double>(done) / (wall_s() - start_s)));
     return true;
   };
   options.stop = interrupted;
@@ -168,18 +175,19 @@ int run_faults(const Prepared& prepared, const RunArguments& arguments, const Se
   options.experience = std::move(experience);
   ProgressLine line(!arguments.json);
   options.progress = [&](std::size_t done, std::size_t all) {
-    line.show(static_cast<double>(done) / static_cast<double>(all), fmt::format("{} of {} runs", done, all));
+    line.show(static_cast<double>(done) / static_cast<double>(all),
+              say({"{} of {} runs", "{} de {} ejecuciones"}, done, all));
     return !interrupted();
   };
   options.stop = interrupted;
   const auto rows = run_fault_matrix(prepared, options, arguments.faults == "pairs");
   if (!rows) return complain(rows.error());
-  const std::string text = arguments.json ? faults_json(*rows) : faults_table(*rows);
+  const std::string text = arguments.json ? faults_json(*rows) : faults_table(*rows, language());
   return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() ? kDone : kOutputFailed;
 }
 
 /// The report of a run, beside its file. Returns an exit code.
-int report(const RunArguments& arguments, RunResult& result) {
+int report(RunResult& result) {
   const auto file = RunFile::read(result.files.front());
   if (!file) {
     complain(file.error());
@@ -188,11 +196,7 @@ int report(const RunArguments& arguments, RunResult& result) {
   fs::path page = result.files.front();
   page.replace_extension(".html");
   const plot::RunView view = plot::from_run_file(*file);
-  if (auto written = report::write_report(
-          view, page, {arguments.language == "es" ? plot::Language::Spanish : plot::Language::English});
-      !written) {
-    return complain(written.error());
-  }
+  if (auto written = report::write_report(view, page, {language()}); !written) return complain(written.error());
   result.files.push_back(page.string());
   return kDone;
 }
@@ -211,7 +215,7 @@ int keep(const Prepared& prepared, const RunArguments& arguments, RunResult& res
     }
   }
   if (arguments.no_record || code != kDone) return code;
-  if (!arguments.no_report) code = report(arguments, result);
+  if (!arguments.no_report) code = report(result);
   catalogue(output_folder(arguments), {result}, prepared);
   return code;
 }
@@ -233,7 +237,8 @@ int run_one(const Prepared& prepared, const RunArguments& arguments, double pace
   ProgressLine line(!arguments.json);
   const double start_s = wall_s();
   options.progress = [&](double share) {
-    line.show(share, fmt::format("{:.0f}x real time", share * prepared.experiment.duration_s / (wall_s() - start_s)));
+    line.show(share, say({"{:.0f}x real time", "{:.0f}x tiempo real"},
+                         share * prepared.experiment.duration_s / (wall_s() - start_s)));
     return true;
   };
   options.stop = interrupted;
@@ -249,7 +254,7 @@ int run_one(const Prepared& prepared, const RunArguments& arguments, double pace
   const int written = keep(prepared, arguments, *result, keeper.get());
   if (print(arguments, {*result}) != kDone) return kOutputFailed;
   if (!arguments.json) {
-    for (const std::string& file : result->files) fmt::print("wrote {}\n", file);
+    for (const std::string& file : result->files) tell({"wrote {}", "escrito {}"}, file);
   }
   if (result->link_lost) {
     complain(*result->link_lost);
@@ -310,7 +315,6 @@ void add_run(CLI::App& program, int& code) {
   auto* pace = command->add_option("--pace", arguments->pace, "max, or a multiple of real time: 1x, 0.5x, 20x");
   command->add_option("--out", arguments->out, "Folder for run files and report; default: runs/NAME");
   command->add_option("--experience", arguments->experience, "Start with what this file remembers, and add to it");
-  command->add_option("--language", arguments->language, "Of the report: en or es")->check(CLI::IsMember({"en", "es"}));
   command->add_flag("--json", arguments->json, "Print one JSON object and nothing else");
   command->add_flag("--no-record", arguments->no_record, "Write no run files");
   command

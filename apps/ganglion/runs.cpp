@@ -9,6 +9,7 @@
 #include "ganglion/record/csv.h"
 #include "ganglion/record/recover.h"
 #include "ganglion/record/run_file.h"
+#include "language.h"
 #include "results_reader.h"
 #include "say.h"
 
@@ -20,7 +21,6 @@ namespace fs = std::filesystem;
 struct RunsArguments {
   std::string folder = "runs";
   std::string file, out, sort = "recorded", name;
-  std::string language = "en";
   std::vector<std::string> files;
 };
 
@@ -28,13 +28,16 @@ struct RunsArguments {
 Result<std::vector<RunSummary>> runs_of(const RunsArguments& arguments) {
   if (!fs::is_directory(arguments.folder)) {
     return fail_at({arguments.folder}, ErrorCode::NotFound,
-                   "there is no such folder; runs are written by ganglion run");
+                   {"there is no such folder; runs are written by ganglion run",
+                    "no existe esa carpeta; las ejecuciones las escribe ganglion run"});
   }
   auto catalogue = RunCatalogue::open(arguments.folder);
   if (!catalogue) return tl::unexpected<Error>(catalogue.error());
   const auto rebuilt = catalogue->rebuild();
   if (!rebuilt) return tl::unexpected<Error>(rebuilt.error());
-  for (const std::string& problem : rebuilt->problems) std::fprintf(stderr, "left out: %s\n", problem.c_str());
+  for (const Error& problem : rebuilt->problems) {
+    note(say({"left out: {}", "omitido: {}"}, problem.text(language())));
+  }
   RunFilter filter;
   filter.sort_by = arguments.sort;
   filter.descending = arguments.sort == "recorded";
@@ -43,16 +46,21 @@ Result<std::vector<RunSummary>> runs_of(const RunsArguments& arguments) {
   return catalogue->list(filter);
 }
 
+constexpr Text outcome_of(bool success) noexcept {
+  return success ? Text{"success", "éxito"} : Text{"failed", "fallida"};
+}
+
 int list(const RunsArguments& arguments) {
   const auto runs = runs_of(arguments);
   if (!runs) return complain(runs.error());
-  fmt::print("{:<36}{:<26}{:>6}  {:<9}{:<18}{}\n", "file", "experiment", "seed", "outcome", "digest", "reason");
+  const auto row = [](const auto&... cells) {
+    tell({"{:<36}{:<26}{:>6}  {:<9}{:<18}{}", "{:<36}{:<26}{:>7}  {:<10}{:<18}{}"}, cells...);
+  };
+  row(Text{"file", "archivo"}, Text{"experiment", "experimento"}, Text{"seed", "semilla"}, Text{"outcome", "resultado"},
+      Text{"digest", "huella"}, Text{"reason", "motivo"});
   for (const RunSummary& run : *runs) {
-    fmt::print("{:<36}{:<26}{:>6}  {:<9}{:<18}{}\n", run.file, run.name, run.seed,
-               !run.finished ? "cut"
-               : run.success ? "success"
-                             : "failed",
-               run.digest, run.reason);
+    row(run.file, run.name, run.seed, run.finished ? outcome_of(run.success) : Text{"cut", "cortada"}, run.digest,
+        recorded(run.reason));
   }
   return kDone;
 }
@@ -73,21 +81,26 @@ int csv(const RunsArguments& arguments) {
 int show(const RunsArguments& arguments) {
   const auto run = RunFile::read(arguments.file, Recover::Yes);
   if (!run) return complain(run.error());
-  fmt::print("{}, seed {}, tick {} s\n", run->info.name, run->info.seed, shortest(run->info.tick_s));
-  for (const std::string& damage : run->damages) fmt::print("damaged: {}\n", damage);
+  tell({"{}, seed {}, tick {} s", "{}, semilla {}, ciclo de {} s"}, run->info.name, run->info.seed,
+       shortest(run->info.tick_s));
+  for (const Sentence& damage : run->damages) tell({"damaged: {}", "dañado: {}"}, damage);
   if (run->outcome) {
-    fmt::print("{}: {}\ndigest {}\n", run->outcome->success ? "success" : "failed", run->outcome->reason,
-               run->outcome->digest);
+    tell({"{}: {}\ndigest {}", "{}: {}\nhuella {}"}, outcome_of(run->outcome->success), recorded(run->outcome->reason),
+         run->outcome->digest);
     for (const auto& [name, value] : run->outcome->measures) fmt::print("  {:<26}{}\n", name, shortest(value));
   } else {
-    fmt::print("cut: the run has no outcome\n");
+    tell({"cut: the run has no outcome", "cortada: la ejecución no tiene resultado"});
   }
   for (const SignalTable& table : run->tables) {
-    fmt::print("{}: {} ticks of {} signals\n", table.topic, table.rows(), table.columns.size());
+    tell({"{}: {} ticks of {} signals", "{}: {} ciclos de {} señales"}, table.topic, table.rows(),
+         table.columns.size());
   }
-  for (const auto& [topic, messages] : run->json) fmt::print("{}: {} messages\n", topic, messages.messages.size());
-  for (const auto& attachment : run->attachments)
-    fmt::print("holds {} ({} bytes)\n", attachment.name, attachment.bytes.size());
+  for (const auto& [topic, messages] : run->json) {
+    tell({"{}: {} messages", "{}: {} mensajes"}, topic, messages.messages.size());
+  }
+  for (const auto& attachment : run->attachments) {
+    tell({"holds {} ({} bytes)", "contiene {} ({} bytes)"}, attachment.name, attachment.bytes.size());
+  }
   return kDone;
 }
 
@@ -99,7 +112,7 @@ int signals(const RunsArguments& arguments) {
     std::replace(name.begin(), name.end(), '/', '_');
     const fs::path file = fs::path(arguments.out) / (name + ".csv");
     if (const auto written = write_csv(table, file); !written) return complain(written.error());
-    fmt::print("wrote {}\n", file.string());
+    tell({"wrote {}", "escrito {}"}, file.string());
   }
   return kDone;
 }
@@ -113,7 +126,11 @@ int verify(const RunsArguments& arguments) {
       worst = kBadInput;
       continue;
     }
-    fmt::print("{}: whole, {}\n", file, run->outcome ? "digest " + run->outcome->digest : "cut before its outcome");
+    if (run->outcome) {
+      tell({"{}: whole, digest {}", "{}: entero, huella {}"}, file, run->outcome->digest);
+    } else {
+      tell({"{}: whole, cut before its outcome", "{}: entero, cortado antes de su resultado"}, file);
+    }
   }
   return worst;
 }
@@ -121,9 +138,12 @@ int verify(const RunsArguments& arguments) {
 int recover(const RunsArguments& arguments) {
   const auto saved = recover_run(arguments.file, arguments.out);
   if (!saved) return complain(saved.error());
-  for (const std::string& damage : saved->damages) fmt::print("damaged: {}\n", damage);
-  fmt::print("saved {} chunks, {} messages, {:.1f} s of the run{}\nwrote {}\n", saved->chunks, saved->messages,
-             saved->until_s, saved->finished ? ", its outcome" : "; its outcome is lost", arguments.out);
+  for (const Sentence& damage : saved->damages) tell({"damaged: {}", "dañado: {}"}, damage);
+  const Text outcome = saved->finished ? Text{", its outcome", ", su resultado"}
+                                       : Text{"; its outcome is lost", "; su resultado se perdió"};
+  tell({"saved {} chunks, {} messages, {:.1f} s of the run{}\nwrote {}",
+        "se salvaron {} bloques, {} mensajes, {:.1f} s de la ejecución{}\nescrito {}"},
+       saved->chunks, saved->messages, saved->until_s, outcome, arguments.out);
   return kDone;
 }
 
@@ -133,19 +153,22 @@ int digests(const RunsArguments& arguments) {
   for (const std::string& file : arguments.files) {
     auto run = RunFile::read_summary(file);
     if (!run) return complain(run.error());
-    if (!run->outcome) return complain(Error{ErrorCode::Corrupt, "was cut before its outcome", {file}});
+    if (!run->outcome) {
+      return complain(
+          Error{ErrorCode::Corrupt, say({"was cut before its outcome", "se cortó antes de su resultado"}), {file}});
+    }
     outcomes.push_back(std::move(*run->outcome));
   }
   const DigestComparison found = compare_components(outcomes[0], outcomes[1]);
-  const auto say = [](std::string_view what, const std::vector<std::string>& names) {
-    for (const std::string& name : names) fmt::print("{} {}\n", what, name);
+  const auto list_all = [](Text what, const std::vector<std::string>& names) {
+    for (const std::string& name : names) tell({"{} {}", "{} {}"}, what, name);
   };
-  say("same     ", found.same);
-  say("differs  ", found.different);
-  say("only in 1", found.only_first);
-  say("only in 2", found.only_second);
-  fmt::print("{} the same, {} different, {} in one run only\n", found.same.size(), found.different.size(),
-             found.only_first.size() + found.only_second.size());
+  list_all({"same     ", "igual    "}, found.same);
+  list_all({"differs  ", "difiere  "}, found.different);
+  list_all({"only in 1", "solo en 1"}, found.only_first);
+  list_all({"only in 2", "solo en 2"}, found.only_second);
+  tell({"{} the same, {} different, {} in one run only", "{} iguales, {} diferentes, {} solo en una ejecución"},
+       found.same.size(), found.different.size(), found.only_first.size() + found.only_second.size());
   return found.different.empty() ? kDone : kRobotFailed;
 }
 
@@ -161,19 +184,19 @@ int compare(const RunsArguments& arguments) {
     }
   }
   if (!problems.empty()) return complain(problems);
-  fmt::print("{:<26}{:>8}{:>11}  {}\n", "batch", "runs", "succeeded", "95 % interval of the share");
+  tell({"{:<26}{:>8}{:>11}  {}", "{:<26}{:>12}{:>11}  {}"}, Text{"batch", "serie"}, Text{"runs", "ejecuciones"},
+       Text{"succeeded", "con éxito"}, Text{"95 % interval of the share", "intervalo del 95 % de la proporción"});
   for (const report::NamedBatch& batch : batches) {
     const auto won = static_cast<std::size_t>(std::ranges::count(batch.runs, true, &report::BatchRun::success));
     const report::Interval interval = report::wilson(won, batch.runs.size());
-    fmt::print("{:<26}{:>8}{:>11}  {:.3f} .. {:.3f}\n", batch.name, batch.runs.size(), won, interval.lower,
-               interval.upper);
+    tell({"{:<26}{:>8}{:>11}  {:.3f} .. {:.3f}", "{:<26}{:>12}{:>11}  {:.3f} .. {:.3f}"}, batch.name, batch.runs.size(),
+         won, interval.lower, interval.upper);
   }
-  const auto language = arguments.language == "es" ? plot::Language::Spanish : plot::Language::English;
-  if (const auto written = report::write_comparison(batches, arguments.out, language); !written) {
+  if (const auto written = report::write_comparison(batches, arguments.out, language()); !written) {
     complain(written.error());
     return kOutputFailed;
   }
-  fmt::print("wrote {}\n", arguments.out);
+  tell({"wrote {}", "escrito {}"}, arguments.out);
   return kDone;
 }
 
@@ -182,7 +205,6 @@ void add_compare(CLI::App& command, const std::shared_ptr<RunsArguments>& argume
   compared->add_option("batches", arguments->files, "[NAME=]RESULTS.json of run --json, or [NAME=]FOLDER of run files")
       ->required();
   compared->add_option("--out", arguments->out, "Page to write (.html)")->required();
-  compared->add_option("--language", arguments->language, "en or es")->check(CLI::IsMember({"en", "es"}));
   compared->footer(
       "Example:\n"
       "  ganglion run experiments/nimrod --seeds 1..100 --json > recommended.json\n"

@@ -1,7 +1,6 @@
 #include <cstdio>
 
 #include "commands.h"
-#include "ganglion/base/text.h"
 #include "ganglion/link/net/server.h"
 #include "ganglion/run/run_robots.h"
 #include "ganglion/run/version.h"
@@ -26,9 +25,7 @@ link::RobotEndConfig config_of(const SimArguments& arguments) {
   link::RobotEndConfig config;
   config.name = fmt::format("ganglion {}", kVersion);
   config.token = link::random_token;
-  if (!arguments.quiet) {
-    config.log = [](const std::string& line) { std::fprintf(stderr, "%s\n", printable(line).c_str()); };
-  }
+  if (!arguments.quiet) config.log = note;
   return config;
 }
 
@@ -43,11 +40,12 @@ int serve(const Prepared& prepared, const SimArguments& arguments) {
   auto server = link::Server::listen(end, *address);
   if (!server) return complain(server.error());
   catch_interrupts();
-  fmt::print("{} ({} robot{}) listens at {}; end it with ctrl-C\n", prepared.robot->description.name,
-             prepared.experiment.robots, prepared.experiment.robots == 1 ? "" : "s", (*server)->address().text);
+  tell({"{} ({} robot{}) listens at {}; end it with ctrl-C", "{} ({} robot{}) escucha en {}; termínelo con ctrl-C"},
+       prepared.robot->description.name, prepared.experiment.robots, prepared.experiment.robots == 1 ? "" : "s",
+       (*server)->address().text);
   std::fflush(stdout);
   (*server)->serve([&] { return interrupted() || (arguments.once && end.sessions_ended() > 0); },
-                   "the simulation was ended");
+                   say({"the simulation was ended", "se terminó la simulación"}));
   return kDone;
 }
 

@@ -124,7 +124,7 @@ std::shared_ptr<const sim::RobotModel> sb12_robot(Eyes eyes) {
 
 Sb12Run::Sb12Run(sim::SimulationConfig config) {
   auto made = sim::Simulation::make(std::move(config));
-  if (!made) stop(made.error().message);
+  if (!made) stop(made.error().what.en);
   simulation_ = std::move(*made);
   const auto robots = static_cast<std::size_t>(simulation_->robots());
   turning_.resize(robots);
@@ -135,7 +135,7 @@ Sb12Run::Sb12Run(sim::SimulationConfig config) {
 }
 
 void Sb12Run::reset(std::uint64_t seed, std::uint32_t episode) {
-  if (auto ready = simulation_->reset(seed, episode); !ready) stop(ready.error().message);
+  if (auto ready = simulation_->reset(seed, episode); !ready) stop(ready.error().what.en);
   std::fill(turning_.begin(), turning_.end(), 0);
   simulation_->sense(senses_);
 }

@@ -21,14 +21,14 @@ class ScriptLine final : public link::Line {
   const std::string& address() const noexcept override { return address_; }
   double now_s() noexcept override { return now_s_; }
   Result<void> connect(double) override {
-    if (next_ >= script_.pieces.size()) return fail(ErrorCode::LinkLost, "nothing answers");
+    if (next_ >= script_.pieces.size()) return fail(ErrorCode::LinkLost, {"nothing answers", "nada responde"});
     said_ = link::FrameReader(dialect_.carrier);
     open_ = true;
     return {};
   }
   void close() noexcept override { open_ = false; }
   Result<void> send(std::string_view bytes, double) override {
-    if (!open_) return fail(ErrorCode::LinkLost, "broken");
+    if (!open_) return fail(ErrorCode::LinkLost, {"broken", "roto"});
     said_.feed(bytes);
     for (;;) {
       const auto payload = said_.next();
@@ -40,7 +40,7 @@ class ScriptLine final : public link::Line {
     }
   }
   Result<std::size_t> receive(std::span<char> room, double until_s) override {
-    if (!open_) return fail(ErrorCode::LinkLost, "broken");
+    if (!open_) return fail(ErrorCode::LinkLost, {"broken", "roto"});
     now_s_ += 1e-6;
     if (next_ >= script_.pieces.size()) return silence(until_s);
     const Script::Piece& piece = script_.pieces[next_];
@@ -50,7 +50,7 @@ class ScriptLine final : public link::Line {
     if (piece.bytes.empty()) {
       advance();
       open_ = false;
-      return fail(ErrorCode::LinkLost, "hung up");
+      return fail(ErrorCode::LinkLost, {"hung up", "colgó"});
     }
     const std::size_t count = std::min(room.size(), piece.bytes.size() - begin_);
     std::copy_n(piece.bytes.begin() + static_cast<std::ptrdiff_t>(begin_), count, room.begin());
@@ -142,7 +142,7 @@ void talk_to_controller(const Script& script, const Dialect& dialect) {
   config.end.pace = script.free_running ? link::wire::FREE_RUNNING : link::wire::LOCK_STEP;
   auto remote = link::RemoteApplication::connect(std::move(made), robot.description(), 2, config);
   if (!remote) {
-    must(!remote.error().message.empty(), "a link that cannot be has a reason");
+    must(!remote.error().what.empty(), "a link that cannot be has a reason");
     return;
   }
   drive(**remote, line, !script.free_running);

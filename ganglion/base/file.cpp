@@ -12,18 +12,23 @@ namespace fs = std::filesystem;
 Result<std::string> read_file(const fs::path& path, std::size_t max_bytes) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) return fail_at({path.string()}, ErrorCode::NotFound, "there is no such file");
-  if (!fs::is_regular_file(status)) return fail_at({path.string()}, ErrorCode::Unreadable, "is not a regular file");
+  if (!fs::exists(status))
+    return fail_at({path.string()}, ErrorCode::NotFound, {"there is no such file", "no existe el archivo"});
+  if (!fs::is_regular_file(status))
+    return fail_at({path.string()}, ErrorCode::Unreadable, {"is not a regular file", "no es un archivo regular"});
   const auto size = fs::file_size(path, error);
-  if (error) return fail_at({path.string()}, ErrorCode::Unreadable, "cannot be read: {}", error.message());
+  if (error)
+    return fail_at({path.string()}, ErrorCode::Unreadable, {"cannot be read: {}", "no se puede leer: {}"},
+                   error.message());
   if (size > max_bytes) {
-    return fail_at({path.string()}, ErrorCode::TooLarge, "has {} bytes; the limit here is {}", size, max_bytes);
+    return fail_at({path.string()}, ErrorCode::TooLarge,
+                   {"has {} bytes; the limit here is {}", "tiene {} bytes; el límite aquí es {}"}, size, max_bytes);
   }
   std::ifstream stream(path, std::ios::binary);
-  if (!stream) return fail_at({path.string()}, ErrorCode::Unreadable, "cannot be opened");
+  if (!stream) return fail_at({path.string()}, ErrorCode::Unreadable, {"cannot be opened", "no se puede abrir"});
   std::string content(size, '\0');
   stream.read(content.data(), static_cast<std::streamsize>(size));
-  if (stream.bad()) return fail_at({path.string()}, ErrorCode::Unreadable, "cannot be read");
+  if (stream.bad()) return fail_at({path.string()}, ErrorCode::Unreadable, {"cannot be read", "no se puede leer"});
   content.resize(static_cast<std::size_t>(stream.gcount()));
   return content;
 }
@@ -40,9 +45,10 @@ Result<void> write_file(const fs::path& path, std::string_view content) {
     fs::rename(part, path, error);
     if (!error) return {};
   }
-  const std::string why = error ? error.message() : "disk full, or no permission";
+  const Sentence why =
+      error ? Sentence::quoted(error.message()) : say({"disk full, or no permission", "disco lleno, o sin permiso"});
   fs::remove(part, error);
-  return fail_at({path.string()}, ErrorCode::Unwritable, "cannot be written: {}", why);
+  return fail_at({path.string()}, ErrorCode::Unwritable, {"cannot be written: {}", "no se puede escribir: {}"}, why);
 }
 
 }  // namespace ganglion

@@ -39,15 +39,15 @@ std::string_view name_of(ErrorCode code) noexcept {
   return "?";
 }
 
-std::string Error::text() const {
+std::string Error::text(Language language) const {
   std::string where = place.file;
   if (place.line > 0) where += fmt::format(":{}:{}", place.line, place.column);
-  return printable(where.empty() ? message : where + ": " + message);
+  return printable(where.empty() ? what.in(language) : where + ": " + what.in(language));
 }
 
 std::vector<Error> Problems::sorted() const {
   auto key = [](const Error& error) {
-    return std::tie(error.place.file, error.place.line, error.place.column, error.message);
+    return std::tie(error.place.file, error.place.line, error.place.column, error.what.en);
   };
   std::vector<Error> result = errors_;
   std::stable_sort(result.begin(), result.end(), [&](const Error& a, const Error& b) { return key(a) < key(b); });
@@ -57,10 +57,10 @@ std::vector<Error> Problems::sorted() const {
   return result;
 }
 
-std::string Problems::text() const {
+std::string Problems::text(Language language) const {
   std::string lines;
-  for (const Error& error : sorted()) lines += error.text() + "\n";
-  if (untold_ > 0) lines += fmt::format("and {} more problems\n", untold_);
+  for (const Error& error : sorted()) lines += error.text(language) + "\n";
+  if (untold_ > 0) lines += say({"and {} more problems\n", "y {} problemas más\n"}, untold_).in(language);
   return lines;
 }
 

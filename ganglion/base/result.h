@@ -1,12 +1,12 @@
 #pragma once
 
-#include <fmt/format.h>
-
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
 #include <utility>
 #include <vector>
+
+#include "ganglion/base/sentence.h"
 
 namespace ganglion {
 
@@ -18,7 +18,7 @@ struct Place {
   friend bool operator==(const Place&, const Place&) = default;
 };
 
-/// What went wrong, as a word that a program can rely on; the sentence for people is in Error::message.
+/// What went wrong, as a word that a program can rely on; the sentence for people is in Error::what.
 enum class ErrorCode {
   Syntax,        ///< The file is not of its format.
   UnknownKey,    ///< A key, kind, port or name that nothing answers to.
@@ -38,13 +38,22 @@ enum class ErrorCode {
 /// The code's name, as written in JSON output: "BadWire".
 std::string_view name_of(ErrorCode code) noexcept;
 
+/// What an error is about, for whoever offers to mend it: nobody needs to parse the sentence.
+struct Subject {
+  std::string component;             ///< Its id; "" = the file.
+  std::string part;                  ///< Port ("in.left"), parameter or key.
+  std::string found;                 ///< The value as written.
+  std::vector<std::string> choices;  ///< What would have been right, nearest first.
+};
+
 /// An error that a person can act on: place, the value found, and what would have been right.
 struct Error {
   ErrorCode code = ErrorCode::BadParameter;
-  std::string message;
+  Sentence what{};
   Place place{};
-  /// "file:line:column: message", leaving out what is unknown; printable() whatever a file held.
-  std::string text() const;
+  Subject subject{};
+  /// "file:line:column: what", leaving out what is unknown; printable() whatever a file held.
+  std::string text(Language language = Language::English) const;
 };
 
 /// A value, or the reason why there is none. Whoever calls must look at it.
@@ -54,16 +63,17 @@ class [[nodiscard]] Result : public tl::expected<T, Error> {
   using tl::expected<T, Error>::expected;
 };
 
-/// `return fail(ErrorCode::BadParameter, "cell_m is {}, must be > 0", cell_m);`
+/// `return fail(ErrorCode::BadParameter, {"cell_m is {}, must be > 0", "cell_m es {}, debe ser > 0"}, cell_m);`
 template <class... Args>
-tl::unexpected<Error> fail(ErrorCode code, fmt::format_string<Args...> format, Args&&... args) {
-  return tl::unexpected<Error>(Error{code, fmt::format(format, std::forward<Args>(args)...), {}});
+tl::unexpected<Error> fail(ErrorCode code, Wording<std::type_identity_t<Args>...> words, const Args&... args) {
+  return tl::unexpected<Error>(Error{code, say<Args...>(words, args...)});
 }
 
 /// The same with a place.
 template <class... Args>
-tl::unexpected<Error> fail_at(Place place, ErrorCode code, fmt::format_string<Args...> format, Args&&... args) {
-  return tl::unexpected<Error>(Error{code, fmt::format(format, std::forward<Args>(args)...), std::move(place)});
+tl::unexpected<Error> fail_at(Place place, ErrorCode code, Wording<std::type_identity_t<Args>...> words,
+                              const Args&... args) {
+  return tl::unexpected<Error>(Error{code, say<Args...>(words, args...), std::move(place)});
 }
 
 /// Gathers every problem of a load, so that a person mends a file in one go.
@@ -77,8 +87,8 @@ class Problems {
     }
   }
   template <class... Args>
-  void add(Place place, ErrorCode code, fmt::format_string<Args...> format, Args&&... args) {
-    add(Error{code, fmt::format(format, std::forward<Args>(args)...), std::move(place)});
+  void add(Place place, ErrorCode code, Wording<std::type_identity_t<Args>...> words, const Args&... args) {
+    add(Error{code, say<Args...>(words, args...), std::move(place)});
   }
   bool empty() const noexcept { return errors_.empty(); }
   std::size_t size() const noexcept { return errors_.size(); }
@@ -87,7 +97,7 @@ class Problems {
   /// In the order of the files' lines, each problem once.
   std::vector<Error> sorted() const;
   /// One problem a line, and at last how many more there are.
-  std::string text() const;
+  std::string text(Language language = Language::English) const;
 
  private:
   static constexpr std::size_t kMost = 500;

@@ -9,29 +9,34 @@ namespace ganglion {
 namespace {
 
 TEST(Error, SaysItsPlaceFirst) {
-  const Error error{ErrorCode::BadWire, "\"sonar_lft\" is no sensation", {"wall.toml", 41, 12}};
+  const Error error{ErrorCode::BadWire,
+                    say({"\"{}\" is no sensation", "\"{}\" no es una sensación"}, "sonar_lft"),
+                    {"wall.toml", 41, 12}};
   EXPECT_EQ(error.text(), "wall.toml:41:12: \"sonar_lft\" is no sensation");
-  EXPECT_EQ((Error{ErrorCode::Syntax, "no place", {}}.text()), "no place");
+  EXPECT_EQ(error.text(Language::Spanish), "wall.toml:41:12: \"sonar_lft\" no es una sensación");
+  EXPECT_EQ((Error{ErrorCode::Syntax, Sentence::quoted("no place")}.text()), "no place");
 }
 
 TEST(Problems, AreSortedByLineAndListedOnce) {
   Problems problems;
-  problems.add({"a.toml", 9, 1}, ErrorCode::BadType, "second");
-  problems.add({"a.toml", 2, 5}, ErrorCode::BadType, "first");
-  problems.add({"a.toml", 9, 1}, ErrorCode::BadType, "second");
+  problems.add({"a.toml", 9, 1}, ErrorCode::BadType, {"second", "segundo"});
+  problems.add({"a.toml", 2, 5}, ErrorCode::BadType, {"first", "primero"});
+  problems.add({"a.toml", 9, 1}, ErrorCode::BadType, {"second", "segundo"});
   EXPECT_EQ(problems.text(), "a.toml:2:5: first\na.toml:9:1: second\n");
 }
 
 TEST(Problems, AreCountedBeyondWhatAnyoneMends) {
   Problems problems;
-  for (int line = 1; line <= 503; ++line) problems.add({"a.toml", line, 1}, ErrorCode::BadType, "wrong");
+  for (int line = 1; line <= 503; ++line) problems.add({"a.toml", line, 1}, ErrorCode::BadType, {"wrong", "mal"});
   EXPECT_TRUE(problems.full());
   EXPECT_EQ(problems.size(), 500u);
   EXPECT_TRUE(problems.text().ends_with("a.toml:500:1: wrong\nand 3 more problems\n"));
+  EXPECT_TRUE(problems.text(Language::Spanish).ends_with("a.toml:500:1: mal\ny 3 problemas más\n"));
 }
 
 TEST(Error, ShowsControlCharactersInsteadOfSendingThem) {
-  EXPECT_EQ((Error{ErrorCode::Syntax, "\"\x1b[2J\n\" is no name", {}}.text()), "\"\\x1b[2J\\x0a\" is no name");
+  EXPECT_EQ((Error{ErrorCode::Syntax, Sentence::quoted("\"\x1b[2J\n\" is no name")}.text()),
+            "\"\\x1b[2J\\x0a\" is no name");
 }
 
 TEST(File, IsWrittenWholeAndFoldersAreRefusedAsFiles) {

@@ -51,12 +51,14 @@ std::optional<std::string> nearest(std::string_view word, std::span<const std::s
   return found != nullptr ? std::optional<std::string>(*found) : std::nullopt;
 }
 
-std::string suggestion(std::string_view word, std::span<const std::string> candidates) {
-  if (const auto near = nearest(word, candidates)) return fmt::format("; did you mean \"{}\"?", *near);
-  if (candidates.empty()) return "";
+Sentence suggestion(std::string_view word, std::span<const std::string> candidates) {
+  if (const auto near = nearest(word, candidates)) {
+    return say({"; did you mean \"{}\"?", "; ¿quiso decir \"{}\"?"}, *near);
+  }
+  if (candidates.empty()) return {};
   constexpr std::size_t kMost = 12;
   const auto shown = candidates.subspan(0, std::min(kMost, candidates.size()));
-  return fmt::format("; valid: {}{}", join(shown), candidates.size() > kMost ? ", ..." : "");
+  return say({"; valid: {}{}", "; válidos: {}{}"}, join(shown), candidates.size() > kMost ? ", ..." : "");
 }
 
 std::string join(std::span<const std::string> words, std::string_view separator) {

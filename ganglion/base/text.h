@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "ganglion/base/sentence.h"
+
 namespace ganglion {
 
 /// Number of letters to change, insert, delete or swap with a neighbour to turn one word into the other.
@@ -14,8 +16,9 @@ int edit_distance(std::string_view a, std::string_view b);
 /// The candidate nearest to a mistyped word, case aside; none if it would take more than a third of its letters.
 std::optional<std::string> nearest(std::string_view word, std::span<const std::string> candidates);
 
-/// `; did you mean "sonar_left"?`, or `; valid: a, b, c` where nothing is near (at most 12 named), or nothing at all.
-std::string suggestion(std::string_view word, std::span<const std::string> candidates);
+/// `; did you mean "sonar_left"?`, or `; valid: a, b, c` where nothing is near (at most 12 named), or nothing at all: the
+/// end of a sentence.
+Sentence suggestion(std::string_view word, std::span<const std::string> candidates);
 
 /// "a, b, c".
 std::string join(std::span<const std::string> words, std::string_view separator = ", ");

@@ -16,9 +16,9 @@ TEST(EditDistance, CountsInsertionsDeletionsChangesAndSwaps) {
 
 TEST(Suggestion, NamesTheNearestOrListsTheChoices) {
   const std::vector<std::string> names = {"sonar_left", "sonar_right", "heading"};
-  EXPECT_EQ(suggestion("Sonar_lft", names), "; did you mean \"sonar_left\"?");
-  EXPECT_EQ(suggestion("zzz", names), "; valid: sonar_left, sonar_right, heading");
-  EXPECT_EQ(suggestion("zzz", {}), "");
+  EXPECT_EQ(suggestion("Sonar_lft", names).en, "; did you mean \"sonar_left\"?");
+  EXPECT_EQ(suggestion("zzz", names).en, "; valid: sonar_left, sonar_right, heading");
+  EXPECT_EQ(suggestion("zzz", {}).en, "");
 }
 
 TEST(Printable, CutsLongTextsBetweenLetters) {

@@ -169,10 +169,13 @@ Result<std::string> format(std::string_view toml_text, const std::string& file_n
   }
   std::string text = printer.take();
   const auto after = parse(text, file_name);
-  if (!after) return fail_at({file_name}, after.error().code, "laid out anew, it {}", after.error().message);
+  if (!after)
+    return fail_at({file_name}, after.error().code, {"laid out anew, it {}", "con el formato nuevo, {}"},
+                   after.error().what);
   if (!equal(*before, *after)) {
     return fail_at({file_name}, ErrorCode::Unsupported,
-                   "cannot be laid out without changing its meaning; it was left as it is");
+                   {"cannot be laid out without changing its meaning; it was left as it is",
+                    "no se puede dar formato sin cambiar su significado; se dejó como está"});
   }
   return text;
 }

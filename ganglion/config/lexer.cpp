@@ -91,7 +91,9 @@ Result<void> check_nesting(std::string_view text, const std::string& file_name, 
     if (depth.value() <= limit) continue;
     const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
     return fail_at({file_name, static_cast<int>(line), 1}, ErrorCode::TooLarge,
-                   "tables, lists and dotted names nested deeper than {}", limit);
+                   {"tables, lists and dotted names nested deeper than {}",
+                    "tablas, listas y nombres con puntos anidados a más de {} niveles"},
+                   limit);
   }
   return {};
 }

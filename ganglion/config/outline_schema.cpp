@@ -188,7 +188,8 @@ Json plain_schema(const Tables& tables) {
   Json json = {{"type", "object"}, {"properties", Json::object()}};
   const Descriptor* kind = tables.front()->kind();
   const Json described = kind != nullptr ? kind_schema(*kind) : Json::object();
-  if (kind != nullptr) json = {{"title", kind->name}, {"description", kind->summary.en}, {"type", "object"}};
+  if (kind != nullptr)
+    json = {{"title", kind->name}, {"description", kind->summary.in(Language::English)}, {"type", "object"}};
   const Names keys = all_keys(tables);
   for (const std::string& name : keys) {
     std::vector<const Asked*> samples;

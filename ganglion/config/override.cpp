@@ -52,11 +52,14 @@ Result<Value*> descend(Value& from, const std::string& key, const Place& place) 
   }
   if (Array* items = from.array()) {
     if (Value* found = item_by_id(*items, key)) return found;
-    return fail_at(place, ErrorCode::UnknownKey, "no item here has the id \"{}\"{}", key,
+    return fail_at(place, ErrorCode::UnknownKey,
+                   {"no item here has the id \"{}\"{}", "ningún elemento de aquí tiene el id \"{}\"{}"}, key,
                    suggestion(key, ids_of(*items)));
   }
-  return fail_at(place, ErrorCode::BadType, "\"{}\" lies behind a value that is {}, not a table", key,
-                 from.type_name());
+  return fail_at(
+      place, ErrorCode::BadType,
+      {"\"{}\" lies behind a value that is {}, not a table", "\"{}\" está detrás de un valor que es {}, no una tabla"},
+      key, from.type_name());
 }
 
 }  // namespace
@@ -65,7 +68,10 @@ Result<Override> parse_override(std::string_view text) {
   const std::size_t equals = text.find('=');
   const std::string_view path = trimmed(text.substr(0, equals));
   if (equals == std::string_view::npos || path.empty()) {
-    return fail(ErrorCode::Syntax, "--set {}: write key=value, as in run.duration_s=60", text);
+    return fail(ErrorCode::Syntax,
+                {"--set {}: write key=value, as in run.duration_s=60",
+                 "--set {}: escriba clave=valor, como en run.duration_s=60"},
+                text);
   }
   return Override{std::string(path), std::string(trimmed(text.substr(equals + 1)))};
 }
@@ -74,7 +80,8 @@ Result<void> apply(Value& root, const Override& override) {
   const Place place{"--set " + override.path + "=" + override.value};
   Value* at = &root;
   for (const std::string& key : split(override.path, '.')) {
-    if (key.empty()) return fail_at(place, ErrorCode::Syntax, "an empty name in the path");
+    if (key.empty())
+      return fail_at(place, ErrorCode::Syntax, {"an empty name in the path", "un nombre vacío en la ruta"});
     const auto next = descend(*at, key, place);
     if (!next) return tl::unexpected<Error>(next.error());
     at = *next;

@@ -1,7 +1,8 @@
 #pragma once
 
 #include <limits>
-#include <string>
+
+#include "ganglion/base/sentence.h"
 
 namespace ganglion::config {
 
@@ -12,7 +13,7 @@ struct Range {
   bool above_min = false;
 };
 /// "> 0", ">= 1", "in [0, 1]".
-std::string text_of(const Range& range);
+Sentence text_of(const Range& range);
 inline constexpr Range kPositive{0, std::numeric_limits<double>::infinity(), true};
 inline constexpr Range kNotNegative{0};
 

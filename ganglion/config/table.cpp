@@ -27,7 +27,8 @@ bool holds(const Range& range, double number) noexcept {
 Table::Table(const Value& value, std::string context, Problems& problems, Outline* outline)
     : value_(&value), place_(value.place()), context_(std::move(context)), problems_(&problems), outline_(outline) {
   if (value_->type() == Value::Type::Table) return;
-  report(value.place(), ErrorCode::BadType, fmt::format("is {}, must be a table", value.type_name()));
+  report(value.place(), ErrorCode::BadType,
+         say({"is {}, must be a table", "es {}, debe ser una tabla"}, value.type_name()));
   value_ = &empty_table();
   mute_ = true;
 }
@@ -72,28 +73,38 @@ const Value* Table::value(std::string_view key) {
   return value_->find(key);
 }
 
-void Table::report(const Place& where, ErrorCode code, const std::string& message) const {
+void Table::report(const Place& where, ErrorCode code, Sentence what, Subject subject) const {
   if (mute_) return;
-  problems_->add(Error{code, context_.empty() ? message : context_ + ": " + message, where});
+  subject.component = context_;
+  if (!context_.empty()) what = say({"{}: {}", "{}: {}"}, context_, what);
+  problems_->add(Error{code, std::move(what), where, std::move(subject)});
+}
+
+void Table::problem(std::string_view key, Error error) const {
+  if (error.subject.part.empty()) error.subject.part = key;
+  report(place(key), error.code, std::move(error.what), std::move(error.subject));
 }
 
 void Table::missing(std::string_view key) const {
-  report(place_, ErrorCode::MissingKey, fmt::format("{} is missing", key));
+  report(place_, ErrorCode::MissingKey, say({"{} is missing", "falta {}"}, key), {.part = std::string(key)});
 }
 
-void Table::wrong_type(std::string_view key, const Value& found, std::string_view wanted) const {
-  report(found.place(), ErrorCode::BadType, fmt::format("{} is {}, must be {}", key, found.type_name(), wanted));
+void Table::wrong_type(std::string_view key, const Value& found, const Sentence& wanted) const {
+  report(found.place(), ErrorCode::BadType,
+         say({"{} is {}, must be {}", "{} es {}, debe ser {}"}, key, found.type_name(), wanted),
+         {.part = std::string(key)});
 }
 
 double Table::checked(std::string_view key, const Value& found, double preset, const Range& range) const {
   const auto number = as_number(found);
   if (!number) {
-    wrong_type(key, found, "a number");
+    wrong_type(key, found, say({"a number", "un número"}));
     return preset;
   }
   if (holds(range, *number)) return *number;
   report(found.place(), ErrorCode::BadParameter,
-         fmt::format("{} is {}, must be {}", key, shortest(*number), text_of(range)));
+         say({"{} is {}, must be {}", "{} es {}, debe ser {}"}, key, shortest(*number), text_of(range)),
+         {.part = std::string(key), .found = shortest(*number)});
   return preset;
 }
 
@@ -115,7 +126,7 @@ int Table::integer(std::string_view key, int preset, const Range& range) {
   const Value* found = value(key);
   if (found == nullptr) return preset;
   if (found->integer() == nullptr) {
-    wrong_type(key, *found, "a whole number");
+    wrong_type(key, *found, say({"a whole number", "un número entero"}));
     return preset;
   }
   return static_cast<int>(checked(key, *found, preset, whole));
@@ -125,7 +136,7 @@ bool Table::boolean(std::string_view key, bool preset) {
   asks(key, {.form = Asked::Form::Boolean, .preset = preset});
   const Value* found = value(key);
   if (found == nullptr) return preset;
-  if (found->boolean() == nullptr) wrong_type(key, *found, "true or false");
+  if (found->boolean() == nullptr) wrong_type(key, *found, say({"true or false", "true o false"}));
   return found->boolean() != nullptr ? *found->boolean() : preset;
 }
 
@@ -133,7 +144,7 @@ std::string Table::text(std::string_view key, std::string_view preset) {
   asks(key, {.form = Asked::Form::Text, .preset = std::string(preset)});
   const Value* found = value(key);
   if (found == nullptr) return std::string(preset);
-  if (found->string() == nullptr) wrong_type(key, *found, "a text in quotes");
+  if (found->string() == nullptr) wrong_type(key, *found, say({"a text in quotes", "un texto entre comillas"}));
   return found->string() != nullptr ? *found->string() : std::string(preset);
 }
 
@@ -149,14 +160,15 @@ int Table::choice(std::string_view key, std::span<const std::string_view> choice
   const Value* found = value(key);
   if (found == nullptr) return preset;
   if (found->string() == nullptr) {
-    wrong_type(key, *found, "one of " + join(names));
+    wrong_type(key, *found, say({"one of {}", "uno de {}"}, join(names)));
     return preset;
   }
   for (std::size_t i = 0; i < choices.size(); ++i) {
     if (choices[i] == *found->string()) return static_cast<int>(i);
   }
   report(found->place(), ErrorCode::BadParameter,
-         fmt::format("{} is \"{}\"{}", key, *found->string(), suggestion(*found->string(), names)));
+         say({"{} is \"{}\"{}", "{} es \"{}\"{}"}, key, *found->string(), suggestion(*found->string(), names)),
+         {.part = std::string(key), .found = *found->string(), .choices = names});
   return preset;
 }
 
@@ -167,12 +179,16 @@ std::vector<double> Table::numbers(std::string_view key, std::vector<double> pre
   if (found == nullptr) return preset;
   const Array* items = found->array();
   if (items == nullptr) {
-    wrong_type(key, *found, count != 0 ? fmt::format("a list of {} numbers", count) : "a list of numbers");
+    wrong_type(key, *found,
+               count != 0 ? say({"a list of {} numbers", "una lista de {} números"}, count)
+                          : say({"a list of numbers", "una lista de números"}));
     return preset;
   }
   if (count != 0 && items->size() != count) {
     report(found->place(), ErrorCode::BadType,
-           fmt::format("{} has {} number{}, must have {}", key, items->size(), items->size() == 1 ? "" : "s", count));
+           say({"{} has {} number{}, must have {}", "{} tiene {} número{}, debe tener {}"}, key, items->size(),
+               items->size() == 1 ? "" : "s", count),
+           {.part = std::string(key)});
     return preset;
   }
   std::vector<double> result;
@@ -187,14 +203,14 @@ std::vector<std::string> Table::texts(std::string_view key) {
   if (const std::string* one = found->string()) return {*one};
   std::vector<std::string> result;
   if (found->array() == nullptr) {
-    wrong_type(key, *found, "a text or a list of texts");
+    wrong_type(key, *found, say({"a text or a list of texts", "un texto o una lista de textos"}));
     return result;
   }
   for (const Value& item : *found->array()) {
     if (item.string() != nullptr) {
       result.push_back(*item.string());
     } else {
-      wrong_type(key, item, "a list of texts only");
+      wrong_type(key, item, say({"a list of texts only", "una lista solo de textos"}));
     }
   }
   return result;
@@ -212,7 +228,9 @@ std::filesystem::path Table::file(std::string_view key) {
   std::filesystem::path named = path(key);
   std::error_code ignored;
   if (named.empty() || std::filesystem::exists(named, ignored)) return named;
-  report(place(key), ErrorCode::NotFound, fmt::format("{}: there is no file \"{}\"", key, named.string()));
+  report(place(key), ErrorCode::NotFound,
+         say({"{}: there is no file \"{}\"", "{}: no existe el archivo \"{}\""}, key, named.string()),
+         {.part = std::string(key), .found = named.string()});
   return {};
 }
 
@@ -237,7 +255,7 @@ std::vector<Table> Table::tables(std::string_view key) {
     return result;
   }
   if (found->array() == nullptr) {
-    wrong_type(key, *found, fmt::format("written as [[{}]]", key));
+    wrong_type(key, *found, say({"written as [[{}]]", "escrito como [[{}]]"}, key));
     return result;
   }
   for (const Value& item : *found->array()) {
@@ -259,21 +277,25 @@ void Table::finish() {
   for (const auto& [name, member] : *value_->table()) {
     if (known_.contains(name)) continue;
     report(member.place(), ErrorCode::UnknownKey,
-           fmt::format("\"{}\" is no key here{}", name, suggestion(name, candidates)));
+           say({"\"{}\" is no key here{}", "\"{}\" no es una clave aquí{}"}, name, suggestion(name, candidates)),
+           {.part = name, .found = name, .choices = candidates});
   }
 }
 
 void check_format(Table& root) {
   root.asks("format", {.form = Asked::Form::Whole, .required = true, .range = {1, 1}});
   if (!root.has("format")) {
-    root.problem("format", ErrorCode::MissingKey, "the file must start with format = 1");
+    root.problem("format", ErrorCode::MissingKey,
+                 {"the file must start with format = 1", "el archivo debe empezar con format = 1"});
     return;
   }
   const int format = root.integer("format", 1);
   if (format > 1) {
-    root.problem("format", ErrorCode::Unsupported, "this program reads format = 1; the file needs a newer program");
+    root.problem("format", ErrorCode::Unsupported,
+                 {"this program reads format = 1; the file needs a newer program",
+                  "este programa lee format = 1; el archivo necesita un programa más nuevo"});
   } else if (format < 1) {
-    root.problem("format", ErrorCode::BadParameter, "format is {}, must be 1", format);
+    root.problem("format", ErrorCode::BadParameter, {"format is {}, must be 1", "format es {}, debe ser 1"}, format);
   }
 }
 

@@ -77,14 +77,17 @@ class Table {
 
   /// A problem at one of its keys, or at the table where the key is absent.
   template <class... Args>
-  void problem(std::string_view key, ErrorCode code, fmt::format_string<Args...> format, Args&&... args) const {
-    report(place(key), code, fmt::format(format, std::forward<Args>(args)...));
+  void problem(std::string_view key, ErrorCode code, Wording<std::type_identity_t<Args>...> words,
+               const Args&... args) const {
+    report(place(key), code, say<Args...>(words, args...), Subject{.part = std::string(key)});
   }
+  /// An error that was worded elsewhere, or that is about another part than the key.
+  void problem(std::string_view key, Error error) const;
 
  private:
-  void report(const Place& where, ErrorCode code, const std::string& message) const;
+  void report(const Place& where, ErrorCode code, Sentence what, Subject subject = {}) const;
   void missing(std::string_view key) const;
-  void wrong_type(std::string_view key, const Value& found, std::string_view wanted) const;
+  void wrong_type(std::string_view key, const Value& found, const Sentence& wanted) const;
   Outline* inside(std::string_view key, Asked::Form form) const;
   double checked(std::string_view key, const Value& found, double preset, const Range& range) const;
 

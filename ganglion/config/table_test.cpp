@@ -81,7 +81,7 @@ TEST(Override, ReachesListsByIdAndSaysWhereItCameFrom) {
   EXPECT_EQ(range.place().file, "--set acting.escape.range_m=0.3");
   const auto unknown = apply(*value, *parse_override("acting.escpe.range_m=0.3"));
   ASSERT_FALSE(unknown);
-  EXPECT_NE(unknown.error().message.find("did you mean \"escape\"?"), std::string::npos);
+  EXPECT_NE(unknown.error().what.en.find("did you mean \"escape\"?"), std::string::npos);
 }
 
 }  // namespace

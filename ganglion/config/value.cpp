@@ -35,8 +35,9 @@ Result<Value> convert_array(const toml::array& array, const std::string& file, i
 
 Result<Value> convert_table(const toml::table& table, const std::string& file, int depth) {
   if (table.size() > kMaxKeys) {
-    return fail_at(place_of(table, file), ErrorCode::TooLarge, "has {} keys; the limit of a table is {}", table.size(),
-                   kMaxKeys);
+    return fail_at(place_of(table, file), ErrorCode::TooLarge,
+                   {"has {} keys; the limit of a table is {}", "tiene {} claves; el límite de una tabla es {}"},
+                   table.size(), kMaxKeys);
   }
   Members members;
   for (const auto& [key, node] : table) {
@@ -55,21 +56,30 @@ Result<Value> convert_table(const toml::table& table, const std::string& file, i
 Result<Value> convert(const toml::node& node, const std::string& file, int depth) {
   const Place place = place_of(node, file);
   if (depth > kMaxDepth)
-    return fail_at(place, ErrorCode::TooLarge, "tables and lists nested deeper than {}", kMaxDepth);
+    return fail_at(place, ErrorCode::TooLarge,
+                   {"tables and lists nested deeper than {}", "tablas y listas anidadas a más de {} niveles"},
+                   kMaxDepth);
   if (const auto* value = node.as_boolean()) return Value(value->get(), place);
   if (const auto* value = node.as_integer()) return Value(std::int64_t{value->get()}, place);
   if (const auto* value = node.as_floating_point()) return Value(value->get(), place);
   if (const auto* value = node.as_string()) return Value(value->get(), place);
   if (const auto* value = node.as_array()) return convert_array(*value, file, depth);
   if (const auto* value = node.as_table()) return convert_table(*value, file, depth);
-  return fail_at(place, ErrorCode::BadType, "dates and times are not used here; write a number or a text in quotes");
+  return fail_at(place, ErrorCode::BadType,
+                 {"dates and times are not used here; write a number or a text in quotes",
+                  "aquí no se usan fechas ni horas; escriba un número o un texto entre comillas"});
 }
 
 }  // namespace
 
-std::string_view Value::type_name() const noexcept {
-  constexpr std::array<std::string_view, 7> kNames = {"nothing", "true or false", "a whole number", "a number",
-                                                      "a text",  "a list",        "a table"};
+Text Value::type_name() const noexcept {
+  static constexpr std::array<Text, 7> kNames = {{{"nothing", "nada"},
+                                                  {"true or false", "true o false"},
+                                                  {"a whole number", "un número entero"},
+                                                  {"a number", "un número"},
+                                                  {"a text", "un texto"},
+                                                  {"a list", "una lista"},
+                                                  {"a table", "una tabla"}}};
   return kNames[data_.index()];
 }
 
@@ -88,7 +98,8 @@ Value* Value::find(std::string_view key) noexcept {
 
 Result<Value> parse(std::string_view text, const std::string& file_name) {
   if (text.size() > kMaxBytes) {
-    return fail_at({file_name}, ErrorCode::TooLarge, "has {} bytes; the limit is {}", text.size(), kMaxBytes);
+    return fail_at({file_name}, ErrorCode::TooLarge,
+                   {"has {} bytes; the limit is {}", "tiene {} bytes; el límite es {}"}, text.size(), kMaxBytes);
   }
   if (auto shallow = check_nesting(text, file_name, 2 * kMaxDepth); !shallow) {
     return tl::unexpected<Error>(shallow.error());
@@ -98,7 +109,8 @@ Result<Value> parse(std::string_view text, const std::string& file_name) {
   } catch (const toml::parse_error& error) {  // the library as Debian builds it reports by exception
     const Place place{file_name, static_cast<int>(error.source().begin.line),
                       static_cast<int>(error.source().begin.column)};
-    return fail_at(place, ErrorCode::Syntax, "not valid TOML: {}", syntax_hint(error.description()));
+    return fail_at(place, ErrorCode::Syntax, {"not valid TOML: {}", "no es TOML válido: {}"},
+                   syntax_hint(error.description()));
   }
 }
 

@@ -32,7 +32,7 @@ class Value {
 
   Type type() const noexcept { return static_cast<Type>(data_.index()); }
   /// "a number", "a text", "a list"...: for messages.
-  std::string_view type_name() const noexcept;
+  Text type_name() const noexcept;
   const Place& place() const noexcept { return place_; }
 
   const bool* boolean() const noexcept { return std::get_if<bool>(&data_); }

@@ -5,13 +5,9 @@
 #include <span>
 #include <string_view>
 
-namespace ganglion {
+#include "ganglion/base/sentence.h"
 
-/// A text for people in both languages of the project.
-struct Text {
-  std::string_view en;
-  std::string_view es;
-};
+namespace ganglion {
 
 /// What a described kind is part of. The first five are drawn in a controller (colours in studio.md); the rest make up
 /// simulated applications.
@@ -49,7 +45,7 @@ struct PortDescriptor {
   bool required = true;                          ///< Inputs: whether a controller must wire it.
   /// Input: takes a list of wires. Output: one value for each wire of the component's `many` input.
   bool many = false;
-  Text help{};
+  Text help{"", ""};
 };
 
 bool is_input(ComponentClass, PortRole) noexcept;
@@ -68,7 +64,7 @@ struct ParameterDescriptor {
   std::string_view preset_word = "";       ///< Default of a Word.
   std::span<const double> preset_reals{};  ///< Default of Reals; min and max hold for each.
   int count = 0;                           ///< Reals: how many, 0 = any number.
-  Text help{};
+  Text help{"", ""};
   bool ours = false;  ///< Not given by the source: our reconstruction, to be labelled so wherever it is shown.
 };
 
@@ -77,7 +73,7 @@ struct Descriptor {
   ComponentClass component_class = ComponentClass::Acting;
   std::string_view name;             ///< As written after `kind =`.
   std::string_view paper_name = "";  ///< Accepted in files as well, e.g. "AmDmr".
-  Text summary{};
+  Text summary{"", ""};
   std::span<const PortDescriptor> ports{};
   std::span<const ParameterDescriptor> parameters{};
   std::string_view source = "";  ///< Paper and section, or "ours".

@@ -11,7 +11,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string description_of(const ParameterDescriptor& parameter) {
-  std::string text(parameter.help.en);
+  std::string text(parameter.help.in(Language::English));
   if (!parameter.unit.empty()) text += fmt::format(" [{}]", parameter.unit);
   if (parameter.ours) text += " Ours: not given by the source.";
   return text;
@@ -67,7 +67,7 @@ Json kind_schema(const Descriptor& kind) {
     properties[std::string(parameter.name)] = parameter_schema(parameter);
   }
   return {{"title", kind.name},
-          {"description", kind.summary.en},
+          {"description", kind.summary.in(Language::English)},
           {"type", "object"},
           {"properties", std::move(properties)},
           {"required", Json::array({"kind"})},

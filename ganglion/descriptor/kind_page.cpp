@@ -75,7 +75,7 @@ class Page {
 
   std::string run() {
     out_ = fmt::format("{} {}\n\n{}. {}\n", std::string(level_, '#'), title_of(kind_),
-                       word(kClasses[static_cast<std::size_t>(kind_.component_class)]), in(language_, kind_.summary));
+                       word(kClasses[static_cast<std::size_t>(kind_.component_class)]), kind_.summary.in(language_));
     print_ports(true, {"Inputs", "Entradas"});
     print_ports(false, {"Outputs", "Salidas"});
     print_parameters();
@@ -84,7 +84,7 @@ class Page {
   }
 
  private:
-  std::string_view word(const Text& text) const noexcept { return in(language_, text); }
+  std::string_view word(const Text& text) const noexcept { return text.in(language_); }
   std::string_view yes_or_no(bool yes) const noexcept { return yes ? word({"yes", "sí"}) : word({"no", "no"}); }
 
   void heading(const Text& title, const Text& columns, int count) {
@@ -106,7 +106,7 @@ class Page {
                         port.unit == "*" ? word({"any", "cualquiera"}) : cell(port.unit),
                         word(kTypes[static_cast<std::size_t>(port.type)]), shape_of(port));
     if (input) out_ += fmt::format(" {} |", yes_or_no(port.required));
-    out_ += fmt::format(" {} |\n", cell(in(language_, port.help)));
+    out_ += fmt::format(" {} |\n", cell(port.help.in(language_)));
   }
 
   void print_ports(bool inputs, const Text& title) {
@@ -179,7 +179,7 @@ class Page {
             5);
     for (const ParameterDescriptor& parameter : kind_.parameters) {
       out_ += fmt::format("| `{}` | {} | {} | {} | {}{} |\n", parameter.name, cell(parameter.unit),
-                          cell(range_of(parameter)), cell(preset_of(parameter)), cell(in(language_, parameter.help)),
+                          cell(range_of(parameter)), cell(preset_of(parameter)), cell(parameter.help.in(language_)),
                           parameter.ours ? word({" *Ours.*", " *Nuestro.*"}) : "");
     }
     for (const ParameterDescriptor& parameter : kind_.parameters) {
@@ -223,10 +223,10 @@ tracciones, en [robot.toml](robot_toml.md). Qué dicen `status` y `reason`: [con
 /// Which kinds there are, each with a link to its part of the page.
 std::string contents(std::span<const Descriptor* const> kinds, Language language) {
   std::string table =
-      fmt::format("\n| {} |\n| --- | --- |\n", in(language, {"kind | what it does", "tipo | qué hace"}));
+      fmt::format("\n| {} |\n| --- | --- |\n", Text("kind | what it does", "tipo | qué hace").in(language));
   for (const Descriptor* kind : kinds) {
     const std::string title = title_of(*kind);
-    table += fmt::format("| [{}](#{}) | {} |\n", title, anchor_of(title), cell(in(language, kind->summary)));
+    table += fmt::format("| [{}](#{}) | {} |\n", title, anchor_of(title), cell(kind->summary.in(language)));
   }
   return table;
 }
@@ -236,11 +236,11 @@ std::string contents(std::span<const Descriptor* const> kinds, Language language
 std::string kind_page(const Descriptor& kind, Language language) { return Page(kind, language).run(); }
 
 std::string kinds_page(std::span<const Descriptor* const> kinds, Language language) {
-  std::string page = std::string(in(language, kIntroduction)) + contents(kinds, language);
+  std::string page = std::string(kIntroduction.in(language)) + contents(kinds, language);
   const Descriptor* before = nullptr;
   for (const Descriptor* kind : kinds) {
     if (!before || before->component_class != kind->component_class) {
-      page += fmt::format("\n## {}\n", in(language, kGroups[static_cast<std::size_t>(kind->component_class)]));
+      page += fmt::format("\n## {}\n", kGroups[static_cast<std::size_t>(kind->component_class)].in(language));
     }
     page += "\n" + Page(*kind, language, 3).run();
     before = kind;

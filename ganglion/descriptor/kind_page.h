@@ -3,7 +3,8 @@
 #include <span>
 #include <string>
 
-#include "ganglion/descriptor/language.h"
+#include "ganglion/base/sentence.h"
+#include "ganglion/descriptor/descriptor.h"
 
 namespace ganglion {
 

@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json json_of(const Text& text) { return {{"en", text.en}, {"es", text.es}}; }
+Json json_of(const Text& text) { return {{"en", text.in(Language::English)}, {"es", text.in(Language::Spanish)}}; }
 
 Json json_of(const PortDescriptor& port, ComponentClass component_class, bool common) {
   return {{"name", port.name},

@@ -145,7 +145,8 @@ TEST_F(Experience, NamesAPartThatWasDamaged) {
   const auto loaded = open().load_all();
   ASSERT_FALSE(loaded);
   EXPECT_EQ(loaded.error().code, ErrorCode::Corrupt);
-  EXPECT_NE(loaded.error().message.find("part \"tile 1\" of \"router\""), std::string::npos);
+  EXPECT_NE(loaded.error().what.en.find("part \"tile 1\" of \"router\""), std::string::npos);
+  EXPECT_NE(loaded.error().what.es.find("la parte \"tile 1\" de \"router\""), std::string::npos);
   ASSERT_TRUE(open().forget("router"));
   EXPECT_EQ(open().load_all()->size(), 1u);
 }
@@ -234,7 +235,7 @@ TEST_F(Experience, ThatCouldNotBeCommittedIsKeptForTheNextTry) {
   writer.submit({part("router", "a", "first"), part("router", "b", "2")});
   const auto failed = writer.flush();
   ASSERT_FALSE(failed);
-  EXPECT_NE(failed.error().message.find("disk full"), std::string::npos);
+  EXPECT_NE(failed.error().what.en.find("disk full"), std::string::npos);
   EXPECT_FALSE(writer.status());
   execute_raw("DROP TRIGGER full");
   writer.submit({part("router", "a", "newer")});

@@ -12,8 +12,9 @@ namespace {
 constexpr std::array<std::string_view, 1> kSteps = {
     "CREATE TABLE part(component TEXT NOT NULL, name TEXT NOT NULL, kind TEXT NOT NULL, version INTEGER NOT NULL, "
     "hash INTEGER NOT NULL, bytes BLOB NOT NULL, saved_s INTEGER NOT NULL, PRIMARY KEY (component, name))"};
-constexpr DatabaseLayout kLayout{
-    .what = "the experience of a controller", .application_id = 0x47414e45, .steps = kSteps};  // "GANE"
+constexpr DatabaseLayout kLayout{.what = {"the experience of a controller", "la experiencia de un controlador"},
+                                 .application_id = 0x47414e45,
+                                 .steps = kSteps};  // "GANE"
 
 std::int64_t system_s() {
   return std::chrono::duration_cast<std::chrono::seconds>(std::chrono::system_clock::now().time_since_epoch()).count();
@@ -40,7 +41,8 @@ Result<void> ExperienceStore::check_size() const {
   if (const auto row = sum->step(); !row) return tl::unexpected(row.error());
   const auto total = static_cast<std::uint64_t>(sum->integer(0));
   if (total <= max_bytes_) return {};
-  return fail_at({database_.file()}, ErrorCode::TooLarge, "holds {} bytes; the limit is {}", total, max_bytes_);
+  return fail_at({database_.file()}, ErrorCode::TooLarge,
+                 {"holds {} bytes; the limit is {}", "contiene {} bytes; el límite es {}"}, total, max_bytes_);
 }
 
 Result<std::vector<StoredPart>> ExperienceStore::load_all() const {
@@ -60,9 +62,11 @@ Result<std::vector<StoredPart>> ExperienceStore::load_all() const {
     part.name = select->text(3);
     part.bytes = select->bytes(4);
     if (stored_hash(part.bytes) != select->integer(5)) {
-      return fail_at({database_.file()}, ErrorCode::Corrupt,
-                     "part \"{}\" of \"{}\" does not match its checksum; forgetting \"{}\" lets the rest be used",
-                     part.name, part.component, part.component);
+      return fail_at(
+          {database_.file()}, ErrorCode::Corrupt,
+          {"part \"{}\" of \"{}\" does not match its checksum; forgetting \"{}\" lets the rest be used",
+           "la parte \"{}\" de \"{}\" no coincide con su suma de control; si se olvida \"{}\", lo demás se puede usar"},
+          part.name, part.component, part.component);
     }
   }
 }

@@ -72,19 +72,25 @@ std::string export_parts(std::span<const StoredPart> parts) {
 
 Result<std::vector<StoredPart>> import_parts(std::string_view bytes, const std::string& name) {
   if (!bytes.starts_with(kMagic) || bytes.size() < kMagic.size() + kHashBytes) {
-    return fail_at({name}, ErrorCode::Corrupt, "is no exported experience: it must begin with \"{}\"", kMagic);
+    return fail_at({name}, ErrorCode::Corrupt,
+                   {"is no exported experience: it must begin with \"{}\"",
+                    "no es una experiencia exportada: debe empezar con \"{}\""},
+                   kMagic);
   }
   if (bytes.size() > kMaxExperienceBytes) {
-    return fail_at({name}, ErrorCode::TooLarge, "has {} bytes; the limit is {}", bytes.size(), kMaxExperienceBytes);
+    return fail_at({name}, ErrorCode::TooLarge, {"has {} bytes; the limit is {}", "tiene {} bytes; el límite es {}"},
+                   bytes.size(), kMaxExperienceBytes);
   }
   mcap::FieldReader reader(bytes.substr(kMagic.size(), bytes.size() - kMagic.size() - kHashBytes));
   if (const std::uint32_t version = reader.u32(); version > kVersion) {
-    return fail_at({name}, ErrorCode::Unsupported, "was exported by a newer program (version {}, known up to {})",
+    return fail_at({name}, ErrorCode::Unsupported,
+                   {"was exported by a newer program (version {}, known up to {})",
+                    "lo exportó un programa más nuevo (versión {}, se conoce hasta la {})"},
                    version, kVersion);
   }
   if (mcap::FieldReader(bytes.substr(bytes.size() - kHashBytes)).u64() !=
       hash_text(bytes.substr(0, bytes.size() - kHashBytes))) {
-    return fail_at({name}, ErrorCode::Corrupt, "does not match its checksum");
+    return fail_at({name}, ErrorCode::Corrupt, {"does not match its checksum", "no coincide con su suma de control"});
   }
   std::vector<StoredPart> parts;
   const std::uint64_t count = reader.u64();
@@ -92,10 +98,12 @@ Result<std::vector<StoredPart>> import_parts(std::string_view bytes, const std::
     parts.push_back(read_part(reader));
     const bool ordered = parts.size() < 2 || std::tie(parts[i - 1].component, parts[i - 1].name) <
                                                  std::tie(parts[i].component, parts[i].name);
-    if (!ordered) return fail_at({name}, ErrorCode::Corrupt, "has its parts out of order, or one twice");
+    if (!ordered)
+      return fail_at({name}, ErrorCode::Corrupt,
+                     {"has its parts out of order, or one twice", "tiene las partes en desorden, o una repetida"});
   }
   if (!reader.ok() || !reader.rest().empty())
-    return fail_at({name}, ErrorCode::Corrupt, "has lengths that do not add up");
+    return fail_at({name}, ErrorCode::Corrupt, {"has lengths that do not add up", "tiene longitudes que no cuadran"});
   return parts;
 }
 

@@ -25,11 +25,16 @@ void check_elements(const ComponentModel& component, const CommandChannel& chann
     if (port.role != PortRole::Command || port.size == 0) continue;
     const std::vector<std::string> mine(port.elements.begin(), port.elements.end());
     if (mine.empty() ? static_cast<std::size_t>(port.size) == wanted.size() : mine == wanted) continue;
-    report_wire(
-        problems, component, component.command_place,
-        fmt::format("commands {{{}}} but \"{}\" takes {{{}}}",
-                    mine.empty() ? fmt::format("{} values", port.size) : join(mine), channel.name, join(wanted)));
+    const Sentence given = mine.empty() ? say({"{} values", "{} valores"}, port.size) : Sentence::quoted(join(mine));
+    report_wire(problems, component, component.command_place,
+                say({"commands {{{}}} but \"{}\" takes {{{}}}", "manda {{{}}} pero \"{}\" admite {{{}}}"}, given,
+                    channel.name, join(wanted)),
+                {.part = "command", .found = channel.name});
   }
+}
+
+std::string part_of(const ComponentModel& component, const Wire& wire) {
+  return fmt::format("in.{}", component.descriptor->ports[static_cast<std::size_t>(wire.port)].name);
 }
 
 bool commands_or_requests(const ComponentModel& component, const Wire& wire) noexcept {
@@ -57,9 +62,12 @@ Takers find_takers(const ControllerModel& model, Problems& problems) {
         if (source.kind != Source::Kind::ModuleCommand && !goal) continue;
         std::string& already = takers.of[static_cast<std::size_t>(source.component)];
         if (!already.empty()) {
-          report_wire(problems, component, source.place,
-                      goal ? fmt::format("\"{}\" already asks \"{}\"", source.text, already)
-                           : fmt::format("the command of \"{}\" already goes to \"{}\"", source.text, already));
+          report_wire(
+              problems, component, source.place,
+              goal ? say({"\"{}\" already asks \"{}\"", "\"{}\" ya hace solicitudes a \"{}\""}, source.text, already)
+                   : say({"the command of \"{}\" already goes to \"{}\"", "el mando de \"{}\" ya va a \"{}\""},
+                         source.text, already),
+              {.part = part_of(component, wire), .found = source.text});
         }
         already = component.id;
         takers.by[static_cast<std::size_t>(source.component)] = static_cast<int>(i);
@@ -79,7 +87,7 @@ int width_of(const ComponentModel& component, PortRole role) noexcept {
 
 /// What a command ends in behind coordinators that take any number of values.
 struct End {
-  std::string text;
+  Sentence text;
   int width = 0;
 };
 
@@ -89,14 +97,17 @@ End end_of(const ControllerModel& model, const RobotDescription& robot, const Ta
     at = static_cast<std::size_t>(takers.by[at]);
     const ComponentModel& taker = model.components[at];
     if (taker.component_class == ComponentClass::Acting) {
-      return {fmt::format("requests to \"{}\" have", taker.id), width_of(taker, PortRole::Request)};
+      return {say({"requests to \"{}\" have", "las solicitudes a \"{}\" tienen"}, taker.id),
+              width_of(taker, PortRole::Request)};
     }
-    if (const int width = width_of(taker, PortRole::Command)) return {fmt::format("\"{}\" has", taker.id), width};
+    if (const int width = width_of(taker, PortRole::Command)) {
+      return {say({"\"{}\" has", "\"{}\" tiene"}, taker.id), width};
+    }
   }
   const ComponentModel& last = model.components[at];
   if (at == start || last.command_index < 0) return {};  // what drives the robot directly was checked by element
   const CommandChannel& channel = robot.commands[static_cast<std::size_t>(last.command_index)];
-  return {fmt::format("\"{}\" takes", channel.name), static_cast<int>(channel.elements.size())};
+  return {say({"\"{}\" takes", "\"{}\" admite"}, channel.name), static_cast<int>(channel.elements.size())};
 }
 
 void check_widths(const ControllerModel& model, const RobotDescription& robot, const Takers& takers,
@@ -108,7 +119,9 @@ void check_widths(const ControllerModel& model, const RobotDescription& robot, c
     const End end = end_of(model, robot, takers, i);
     if (end.width == 0 || end.width == width) continue;
     report_wire(problems, component, component.place,
-                fmt::format("commands {} value{}, but {} {}", width, width == 1 ? "" : "s", end.text, end.width));
+                say({"commands {} value{}, but {} {}", "manda {} valor{}, pero {} {}"}, width,
+                    width == 1 ? Text{"", ""} : Text{"s", "es"}, end.text, end.width),
+                {.part = "command"});
   }
 }
 
@@ -119,9 +132,11 @@ bool makes_commands(const ComponentModel& component) noexcept {
          component.component_class == ComponentClass::Coordinator;
 }
 
-void report_wire(Problems& problems, const ComponentModel& component, const Place& place, const std::string& message) {
-  const std::string_view id = component.id;
-  problems.add(place, ErrorCode::BadWire, "{}{}{}", id, id.empty() ? "" : ": ", message);
+void report_wire(Problems& problems, const ComponentModel& component, const Place& place, const Sentence& what,
+                 Subject subject) {
+  subject.component = component.id;
+  problems.add(Error{ErrorCode::BadWire, component.id.empty() ? what : say({"{}: {}", "{}: {}"}, component.id, what),
+                     place, std::move(subject)});
 }
 
 void bind_commands(ControllerModel& model, const RobotDescription& robot, Problems& problems) {
@@ -130,8 +145,9 @@ void bind_commands(ControllerModel& model, const RobotDescription& robot, Proble
     const CommandChannel* channel = robot.command(component.command);
     if (channel == nullptr) {
       report_wire(problems, component, component.command_place,
-                  fmt::format("the robot has no command \"{}\"{}", component.command,
-                              suggestion(component.command, command_names(robot))));
+                  say({"the robot has no command \"{}\"{}", "el robot no tiene el mando \"{}\"{}"}, component.command,
+                      suggestion(component.command, command_names(robot))),
+                  {.part = "command", .found = component.command, .choices = command_names(robot)});
       continue;
     }
     component.command_index = static_cast<int>(channel - robot.commands.data());
@@ -148,21 +164,28 @@ void check_commands(const ControllerModel& model, const RobotDescription& robot,
     const std::string& taker = takers.of[i];
     if (!taker.empty()) {
       if (component.command.empty()) continue;
-      report_wire(
-          problems, component, component.command_place,
-          fmt::format("its command goes to \"{}\" already; leave out command = \"{}\"", taker, component.command));
+      report_wire(problems, component, component.command_place,
+                  say({"its command goes to \"{}\" already; leave out command = \"{}\"",
+                       "su mando ya va a \"{}\"; quite command = \"{}\""},
+                      taker, component.command),
+                  {.part = "command", .found = component.command});
     } else if (component.command_index >= 0) {
       const auto [first, fresh] = writers.emplace(component.command_index, &component);
       if (fresh) continue;
       report_wire(problems, component, component.command_place,
-                  fmt::format("\"{}\" already commands \"{}\"; join them by a coordinator", first->second->id,
-                              component.command));
+                  say({"\"{}\" already commands \"{}\"; join them by a coordinator",
+                       "\"{}\" ya manda \"{}\"; únalos con un coordinador"},
+                      first->second->id, component.command),
+                  {.part = "command", .found = component.command});
     } else if (makes_commands(component) && component.command.empty() && takers.complete && !component.id.empty() &&
                model.find(component.id) == static_cast<int>(i)) {
       report_wire(problems, component, component.place,
-                  fmt::format("its command goes nowhere; write command = \"...\" (the robot has: {}) or wire it to a "
-                              "coordinator",
-                              join(command_names(robot))));
+                  say({"its command goes nowhere; write command = \"...\" (the robot has: {}) or wire it to a "
+                       "coordinator",
+                       "su mando no va a ninguna parte; escriba command = \"...\" (el robot tiene: {}) o conéctelo a "
+                       "un coordinador"},
+                      join(command_names(robot))),
+                  {.part = "command", .choices = command_names(robot)});
     }
   }
 }

@@ -8,7 +8,8 @@ namespace ganglion {
 bool makes_commands(const ComponentModel& component) noexcept;
 
 /// Adds a BadWire problem that opens with the component's id.
-void report_wire(Problems& problems, const ComponentModel& component, const Place& place, const std::string& message);
+void report_wire(Problems& problems, const ComponentModel& component, const Place& place, const Sentence& what,
+                 Subject subject = {});
 
 /// Finds the robot's command that each component drives, and holds their elements against each other.
 void bind_commands(ControllerModel& model, const RobotDescription& robot, Problems& problems);

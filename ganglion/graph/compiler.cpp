@@ -13,7 +13,7 @@ Result<void> make(std::span<const Kind<Product>* const> kinds, const ComponentMo
   auto made = kind->make(model.parameters);
   if (!made) {
     Error error = made.error();
-    error.message = model.id + ": " + error.message;
+    error.what = say({"{}: {}", "{}: {}"}, model.id, error.what);
     if (error.place.file.empty()) error.place = model.place;
     return tl::unexpected<Error>(std::move(error));
   }
@@ -35,7 +35,10 @@ Result<Controller> Compiler::run() {
   lay_out_commands();
   lay_out_inputs();
   if (values_ > kMaxValues) {
-    return fail(ErrorCode::TooLarge, "its signals and inputs have {} values; the limit is {}", values_, kMaxValues);
+    return fail(ErrorCode::TooLarge,
+                {"its signals and inputs have {} values; the limit is {}",
+                 "sus señales y entradas tienen {} valores; el límite es {}"},
+                values_, kMaxValues);
   }
   reserve();
   for (std::size_t i = 0; i < model_.components.size(); ++i) connect(i);
@@ -52,7 +55,9 @@ Result<void> Compiler::check_limits() const {
     for (const CommandElement& element : channel.elements) {
       const bool sound = element.min <= element.safe && element.safe <= element.max && std::isfinite(element.safe);
       if (sound) continue;
-      return fail(ErrorCode::BadParameter, "robot \"{}\": {}.{}: its safe value {} must lie within [{}, {}]",
+      return fail(ErrorCode::BadParameter,
+                  {"robot \"{}\": {}.{}: its safe value {} must lie within [{}, {}]",
+                   "robot \"{}\": {}.{}: su valor seguro {} debe estar en [{}, {}]"},
                   robot_.name, channel.name, element.name, element.safe, element.min, element.max);
     }
   }

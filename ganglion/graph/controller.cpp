@@ -231,13 +231,15 @@ void Controller::load(const std::vector<ModuleExperience>& learned, Problems& pr
   for (const ModuleExperience& one : learned) {
     const auto found = learners.find(one.component);
     if (found == learners.end() || parts_[static_cast<std::size_t>(found->second)].kind != one.kind) {
-      problems.add({}, ErrorCode::UnknownKey, "experience of \"{}\" ({}) belongs to no component of this controller",
+      problems.add({}, ErrorCode::UnknownKey,
+                   {"experience of \"{}\" ({}) belongs to no component of this controller",
+                    "la experiencia de \"{}\" ({}) no pertenece a ningún componente de este controlador"},
                    one.component, one.kind);
       continue;
     }
     auto* learner = const_cast<Component*>(component(found->second));
     if (auto loaded = learner->load(one.version, one.parts); !loaded) {
-      problems.add({}, loaded.error().code, "{}: {}", one.component, loaded.error().message);
+      problems.add({}, loaded.error().code, {"{}: {}", "{}: {}"}, one.component, loaded.error().what);
     }
   }
   grow();

@@ -15,7 +15,7 @@ void expect_places(const std::vector<Error>& errors, const std::string& text) {
   for (const Error& error : errors) {
     EXPECT_EQ(error.place.file, "c.toml") << error.text() << "\n" << text;
     EXPECT_GT(error.place.line, 0) << error.text() << "\n" << text;
-    EXPECT_FALSE(error.message.empty()) << text;
+    EXPECT_FALSE(error.what.en.empty()) << text;
   }
 }
 

@@ -62,11 +62,15 @@ void report_cycle(const ControllerModel& model, const std::vector<int>& path, Pr
   std::vector<std::string> names;
   for (const int index : path) names.push_back(model.components[static_cast<std::size_t>(index)].id);
   const Source* source = breakable(model, path);
-  const std::string remedy = source != nullptr ? fmt::format("write \"{}@previous\" to break it", source->text)
-                                               : std::string("commands cannot; take one of these wires out");
+  const Sentence remedy =
+      source != nullptr
+          ? say({"write \"{}@previous\" to break it", "escriba \"{}@previous\" para romperlo"}, source->text)
+          : say({"commands cannot; take one of these wires out", "los mandos no pueden; quite uno de estos cables"});
   problems.add(source != nullptr ? source->place : model.components[static_cast<std::size_t>(path.back())].place,
-               ErrorCode::BadWire, "{}: these wires run in a circle within one tick: {}; {}", names.back(),
-               join(names, " -> "), remedy);
+               ErrorCode::BadWire,
+               {"{}: these wires run in a circle within one tick: {}; {}",
+                "{}: estos cables forman un círculo dentro de un ciclo: {}; {}"},
+               names.back(), join(names, " -> "), remedy);
 }
 
 /// Kahn's algorithm, the earliest in the file first among those that may run; linear in wires but for a logarithm.

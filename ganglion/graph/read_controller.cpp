@@ -24,18 +24,25 @@ void read_id(Table& table, ComponentModel& component) {
   component.id = table.text("id", "");
   component.place = table.place("id");
   if (!table.has("id")) {
-    table.problem("id", ErrorCode::MissingKey, "id is missing; write id = \"a_name\"");
+    table.problem("id", ErrorCode::MissingKey,
+                  {"id is missing; write id = \"a_name\"", "falta id; escriba id = \"un_nombre\""});
   } else if (!good_id(component.id)) {
     table.problem("id", ErrorCode::BadParameter,
-                  "\"{}\" is no id: write a letter, then letters, digits or _, at most 64 in all", component.id);
+                  {"\"{}\" is no id: write a letter, then letters, digits or _, at most 64 in all",
+                   "\"{}\" no es un id: escriba una letra y después letras, cifras o _, 64 como máximo en total"},
+                  component.id);
   }
   table.set_context(component.id);
 }
 
-/// "acting module", as in "no kind of acting module".
-std::string noun_of(ComponentClass component_class) {
-  const bool module = component_class == ComponentClass::Sensing || component_class == ComponentClass::Acting;
-  return fmt::format("{}{}", name_of(component_class), module ? " module" : "");
+/// "acting module", as in "no kind of acting module": of the classes in kClasses.
+Text noun_of(ComponentClass component_class) {
+  constexpr std::array<Text, 5> kNouns = {{{"sensation", "sensación"},
+                                           {"sensing module", "módulo de detección"},
+                                           {"goal", "objetivo global"},
+                                           {"acting module", "módulo de actuación"},
+                                           {"coordinator", "coordinador"}}};
+  return kNouns[static_cast<std::size_t>(component_class)];
 }
 
 const Descriptor* read_kind(Table& table, ComponentClass component_class, const KindList& kinds) {
@@ -47,17 +54,25 @@ const Descriptor* read_kind(Table& table, ComponentClass component_class, const 
   }
   for (const ComponentClass other : kClasses) {
     if (find_descriptor(kinds, other, name) == nullptr) continue;
-    table.problem("kind", ErrorCode::UnknownKey, "\"{}\" is a kind of {}; write it under [[{}]], not [[{}]]", name,
-                  noun_of(other), name_of(other), name_of(component_class));
+    table.problem("kind", ErrorCode::UnknownKey,
+                  {"\"{}\" is a kind of {}; write it under [[{}]], not [[{}]]",
+                   "\"{}\" es un tipo de {}; escríbalo en [[{}]], no en [[{}]]"},
+                  name, noun_of(other), name_of(other), name_of(component_class));
     return nullptr;
   }
   std::vector<std::string> names;
   for (const Descriptor* known : descriptors_of(kinds, component_class)) names.emplace_back(known->name);
   if (!table.has("kind")) {
-    table.problem("kind", ErrorCode::MissingKey, "kind is missing{}", suggestion("", names));
+    table.problem("kind", Error{ErrorCode::MissingKey,
+                                say({"kind is missing{}", "falta kind{}"}, suggestion("", names)),
+                                {},
+                                {.choices = names}});
   } else if (table.value("kind")->string() != nullptr) {
-    table.problem("kind", ErrorCode::UnknownKey, "\"{}\" is no kind of {}{}", name, noun_of(component_class),
-                  suggestion(name, names));
+    table.problem("kind", Error{ErrorCode::UnknownKey,
+                                say({"\"{}\" is no kind of {}{}", "\"{}\" no es un tipo de {}{}"}, name,
+                                    noun_of(component_class), suggestion(name, names)),
+                                {},
+                                {.found = name, .choices = names}});
   }
   return nullptr;
 }
@@ -101,8 +116,12 @@ class WireReader {
     }
     for (const PortDescriptor& port : descriptor_.ports) {
       if (!port.required || !is_input(descriptor_.component_class, port.role) || given(port.name)) continue;
-      table_.problem("id", ErrorCode::BadWire, "input \"{}\" is not wired; write in.{} = \"...\"", port.name,
-                     port.name);
+      table_.problem("id", Error{ErrorCode::BadWire,
+                                 say({"input \"{}\" is not wired; write in.{} = \"...\"",
+                                      "la entrada \"{}\" no está conectada; escriba in.{} = \"...\""},
+                                     port.name, port.name),
+                                 {},
+                                 {.part = fmt::format("in.{}", port.name)}});
     }
   }
 
@@ -112,7 +131,9 @@ class WireReader {
     for (const std::string& name : names_) {
       if (name == "in" || !table_.has(name) || descriptor_.parameter(name) != nullptr) continue;
       table_.known(name);
-      table_.problem(name, ErrorCode::UnknownKey, "\"{}\" is an input; write in.{} = \"...\"", name, name);
+      table_.problem(name, ErrorCode::UnknownKey,
+                     {"\"{}\" is an input; write in.{} = \"...\"", "\"{}\" es una entrada; escriba in.{} = \"...\""},
+                     name, name);
       given_.push_back(name);
     }
   }
@@ -120,14 +141,19 @@ class WireReader {
   void read(Table& in, const std::string& name) {
     const PortDescriptor* port = descriptor_.port(name);
     if (port == nullptr || !is_input(descriptor_.component_class, port->role)) {
-      in.problem(name, ErrorCode::UnknownKey, "{} has no input \"{}\"{}", descriptor_.name, name,
-                 names_.empty() ? "; it takes none" : suggestion(name, names_));
+      const Sentence hint = names_.empty() ? say({"; it takes none", "; no tiene ninguna"}) : suggestion(name, names_);
+      in.problem(name, Error{ErrorCode::UnknownKey,
+                             say({"{} has no input \"{}\"{}", "{} no tiene la entrada \"{}\"{}"}, descriptor_.name,
+                                 name, hint),
+                             {},
+                             {.part = "in." + name, .found = name, .choices = names_}});
       if (auto meant = nearest(name, names_)) given_.push_back(std::move(*meant));
       return;
     }
     if (const config::Array* many = in.value(name)->array(); many != nullptr && many->size() > kMaxWires) {
-      in.problem(name, ErrorCode::TooLarge, "input \"{}\" has {} wires; the limit is {}", name, many->size(),
-                 kMaxWires);
+      in.problem(name, ErrorCode::TooLarge,
+                 {"input \"{}\" has {} wires; the limit is {}", "la entrada \"{}\" tiene {} cables; el límite es {}"},
+                 name, many->size(), kMaxWires);
       return;
     }
     Wire wire;
@@ -137,7 +163,11 @@ class WireReader {
     const config::Array* list = in.value(name)->array();
     if (list == nullptr || !list->empty()) given_.push_back(name);
     if (!port->many && port->role != PortRole::Request && wire.sources.size() > 1) {
-      in.problem(name, ErrorCode::BadWire, "input \"{}\" takes one wire, not {}", name, wire.sources.size());
+      in.problem(name, Error{ErrorCode::BadWire,
+                             say({"input \"{}\" takes one wire, not {}", "la entrada \"{}\" admite un cable, no {}"},
+                                 name, wire.sources.size()),
+                             {},
+                             {.part = "in." + name}});
     }
     component_.wires.push_back(std::move(wire));
   }
@@ -164,7 +194,8 @@ void read_tolerance(Table& table, ComponentModel& component) {
   const PortDescriptor* port = first_feedback(*component.descriptor);
   if (component.tolerance == 0 || port == nullptr || port->type != ValueType::Discrete) return;
   table.problem("tolerance", ErrorCode::BadParameter,
-                "tolerance is {}, but \"{}\" is made of whole numbers, which are compared exactly; leave it out",
+                {"tolerance is {}, but \"{}\" is made of whole numbers, which are compared exactly; leave it out",
+                 "tolerance es {}, pero \"{}\" se compone de números enteros, que se comparan con exactitud; quítela"},
                 shortest(component.tolerance), port->name);
 }
 
@@ -178,7 +209,8 @@ void read_component(Table& table, ComponentClass component_class, const KindList
     component.channel_place = table.place("channel");
     const config::Value* channel = table.value("channel");
     if (channel != nullptr && channel->string() != nullptr && component.channel.empty()) {
-      table.problem("channel", ErrorCode::BadParameter, "channel is empty; name a channel of the robot");
+      table.problem("channel", ErrorCode::BadParameter,
+                    {"channel is empty; name a channel of the robot", "channel está vacío; nombre un canal del robot"});
     }
     model.components.push_back(std::move(component));
     return;
@@ -223,7 +255,8 @@ void check_ids(const ControllerModel& model, Problems& problems) {
     const ComponentModel& component = model.components[i];
     const int first = model.find(component.id);
     if (component.id.empty() || first == static_cast<int>(i)) continue;
-    problems.add(component.place, ErrorCode::BadParameter, "{}: this id is already used at line {}", component.id,
+    problems.add(component.place, ErrorCode::BadParameter,
+                 {"{}: this id is already used at line {}", "{}: este id ya se usa en la línea {}"}, component.id,
                  model.components[static_cast<std::size_t>(first)].place.line);
   }
 }
@@ -263,7 +296,7 @@ ControllerModel read_controller(const config::Value& value, const KindList& kind
   for (const ComponentClass component_class : kClasses) {
     for (Table& table : root.tables(name_of(component_class))) {
       if (model.components.size() >= kMaxComponents) {
-        root.problem("", ErrorCode::TooLarge, "more than {} components", kMaxComponents);
+        root.problem("", ErrorCode::TooLarge, {"more than {} components", "más de {} componentes"}, kMaxComponents);
         for (const std::string& key : table.keys()) table.known(key);
         return model;
       }

@@ -29,10 +29,18 @@ class Resolver {
 
  private:
   template <class... Args>
-  void problem(const ComponentModel& component, const Place& place, fmt::format_string<Args...> format,
-               Args&&... args) {
-    report_wire(problems_, component, place, fmt::format(format, std::forward<Args>(args)...));
+  void problem(const ComponentModel& component, const Place& place, Wording<std::type_identity_t<Args>...> words,
+               const Args&... args) {
+    report_wire(problems_, component, place, say<Args...>(words, args...), subject_);
+    subject_.choices.clear();
   }
+  /// The end of a problem's sentence; whoever mends it is offered the names.
+  Sentence offer(std::string_view word, const std::vector<std::string>& names) {
+    subject_.choices = names;
+    return suggestion(word, names);
+  }
+  /// What the problems are about that follow.
+  void look_at(std::string part, std::string found) { subject_ = {"", std::move(part), std::move(found), {}}; }
 
   void bind_channel(ComponentModel& component);
   void check_name(const ComponentModel& component);
@@ -58,6 +66,7 @@ class Resolver {
   Problems& problems_;
   WireHints hints_;
   ComponentIndex ids_;
+  Subject subject_;  // of the problems that come next
 };
 
 std::vector<std::string> channel_names(const RobotDescription& robot) {
@@ -77,26 +86,36 @@ void Resolver::bind_channel(ComponentModel& component) {
   if (channel != nullptr) {
     component.channel_index = static_cast<int>(channel - robot_.sensations.data());
   } else if (!component.channel.empty()) {
-    problem(component, component.channel_place, "the robot has no channel \"{}\"{}", component.channel,
-            suggestion(component.channel, channel_names(robot_)));
+    look_at("channel", component.channel);
+    problem(component, component.channel_place,
+            {"the robot has no channel \"{}\"{}", "el robot no tiene el canal \"{}\"{}"}, component.channel,
+            offer(component.channel, channel_names(robot_)));
   }
 }
 
 /// Its signals and the robot's command would go by one name, and that command could not be wired.
 void Resolver::check_name(const ComponentModel& component) {
   if (robot_.command(component.id) == nullptr) return;
-  problem(component, component.place, "the robot has a command of this name; choose another id");
+  look_at("id", component.id);
+  problem(component, component.place,
+          {"the robot has a command of this name; choose another id",
+           "el robot tiene un mando con este nombre; elija otro id"});
 }
 
 void Resolver::resolve_wire(ComponentModel& component, Wire& wire) {
   const PortDescriptor& port = component.descriptor->ports[static_cast<std::size_t>(wire.port)];
   for (Source& source : wire.sources) {
-    if (!problems_.full()) resolve_source(component, port, source);
+    if (problems_.full()) continue;
+    look_at(fmt::format("in.{}", port.name), source.text);
+    resolve_source(component, port, source);
   }
   if (port.role != PortRole::Request || wire.sources.size() < 2) return;
   for (const Source& source : wire.sources) {
     if (source.kind == Source::Kind::ModuleCommand) {
-      problem(component, source.place, "a request comes either from goals or from one module; \"{}\" is a module",
+      look_at(fmt::format("in.{}", port.name), source.text);
+      problem(component, source.place,
+              {"a request comes either from goals or from one module; \"{}\" is a module",
+               "una solicitud viene de objetivos globales o de un solo módulo; \"{}\" es un módulo"},
               source.text);
     }
   }
@@ -109,8 +128,10 @@ void Resolver::resolve_source(const ComponentModel& component, const PortDescrip
     source.previous = true;
     text.resize(text.size() - kPrevious.size());
   } else if (const auto at = text.find('@'); at != std::string::npos) {
-    problem(component, source.place, "\"{}\": the only mark is @previous, as in \"{}@previous\"", text,
-            text.substr(0, at));
+    problem(component, source.place,
+            {"\"{}\": the only mark is @previous, as in \"{}@previous\"",
+             "\"{}\": la única marca es @previous, como en \"{}@previous\""},
+            text, text.substr(0, at));
     return;
   }
   if (port.role != PortRole::Candidate && port.role != PortRole::Request) {
@@ -123,13 +144,17 @@ void Resolver::resolve_source(const ComponentModel& component, const PortDescrip
   const bool commands = from != nullptr && makes_commands(*from);
   const bool goal = from != nullptr && from->component_class == ComponentClass::Goal && port.role == PortRole::Request;
   if (!commands && !goal) {
-    problem(component, source.place, "\"{}\" is no {}{}", text,
-            port.role == PortRole::Request ? "goal or acting module" : "acting module or coordinator",
-            suggestion(text, hints_.givers_for(port)));
+    problem(component, source.place, {"\"{}\" is no {}{}", "\"{}\" no es {}{}"}, text,
+            port.role == PortRole::Request
+                ? Text{"goal or acting module", "un objetivo global ni un módulo de actuación"}
+                : Text{"acting module or coordinator", "un módulo de actuación ni un coordinador"},
+            offer(text, hints_.givers_for(port)));
     return;
   }
   if (source.previous) {
-    problem(component, source.place, "a command is handed on within its tick; leave out @previous");
+    problem(component, source.place,
+            {"a command is handed on within its tick; leave out @previous",
+             "un mando se entrega dentro de su ciclo; quite @previous"});
     return;
   }
   source.kind = goal ? Source::Kind::Goal : Source::Kind::ModuleCommand;
@@ -141,7 +166,8 @@ void Resolver::resolve_data(const ComponentModel& component, const PortDescripto
   const std::vector<std::string> parts = split(text, '.');
   const int found = find(ids_, parts[0]);
   if (parts.size() > 1 && robot_.sensation(text) != nullptr && (found < 0 || !has_part(found, parts[1]))) {
-    problem(component, source.place, "\"{}\" is a channel of the robot; {}", text, hints_.for_channel(text));
+    problem(component, source.place, {"\"{}\" is a channel of the robot; {}", "\"{}\" es un canal del robot; {}"}, text,
+            hints_.for_channel(text));
     return;
   }
   if (found >= 0) {
@@ -154,11 +180,16 @@ void Resolver::resolve_data(const ComponentModel& component, const PortDescripto
   } else if (robot_.command(parts[0]) != nullptr) {
     resolve_robot_command(component, source, parts);
   } else if (!misread(parts[0])) {
-    problem(component, source.place, "\"{}\" is no sensation or module{}", parts[0], hints_.for_unknown(port, text));
+    subject_.choices = hints_.sources_for(port);
+    problem(component, source.place,
+            {"\"{}\" is no sensation or module{}", "\"{}\" no es una sensación ni un módulo{}"}, parts[0],
+            hints_.for_unknown(port, text));
   }
   if (source.kind == Source::Kind::Unresolved) return;
   if (port.role == PortRole::Appraisal && !is_appraisal(source)) {
-    problem(component, source.place, "input \"{}\" takes what an acting module expects; \"{}\" is no appraisal",
+    problem(component, source.place,
+            {"input \"{}\" takes what an acting module expects; \"{}\" is no appraisal",
+             "la entrada \"{}\" admite lo que espera un módulo de actuación; \"{}\" no es una evaluación"},
             port.name, source.text);
     return;
   }
@@ -199,14 +230,16 @@ void Resolver::resolve_sensation(const ComponentModel& component, Source& source
   }
   if (source.kind != Source::Kind::Unresolved) return;
   if (shape.elements.empty()) {
-    problem(component, source.place, "\"{}\" is one value; write \"{}\", or \"{}.age_s\" for its age", from.id, from.id,
-            from.id);
+    problem(component, source.place,
+            {"\"{}\" is one value; write \"{}\", or \"{}.age_s\" for its age",
+             "\"{}\" es un solo valor; escriba \"{}\", o \"{}.age_s\" para su antigüedad"},
+            from.id, from.id, from.id);
     return;
   }
   std::vector<std::string> names = shape.elements;
   names.emplace_back("age_s");
-  problem(component, source.place, "sensation \"{}\" has no \"{}\"{}", parts[0], parts.back(),
-          suggestion(parts.back(), names));
+  problem(component, source.place, {"sensation \"{}\" has no \"{}\"{}", "la sensación \"{}\" no tiene \"{}\"{}"},
+          parts[0], parts.back(), offer(parts.back(), names));
 }
 
 void Resolver::resolve_output(const ComponentModel& component, Source& source, const std::vector<std::string>& parts) {
@@ -219,12 +252,14 @@ void Resolver::resolve_output(const ComponentModel& component, Source& source, c
   }
   if (parts.size() == 1) {
     if (names.empty()) {
-      problem(component, source.place, "\"{}\" has no outputs", from.id);
+      problem(component, source.place, {"\"{}\" has no outputs", "\"{}\" no tiene salidas"}, from.id);
       return;
     }
     if (declared.size() != 1) {
       for (std::string& name : names) name = from.id + "." + name;
-      problem(component, source.place, "\"{}\" has several outputs; say which{}", from.id, suggestion("", names));
+      problem(component, source.place,
+              {"\"{}\" has several outputs; say which{}", "\"{}\" tiene varias salidas; diga cuál{}"}, from.id,
+              offer("", names));
       return;
     }
     source.port = declared.front();
@@ -232,8 +267,8 @@ void Resolver::resolve_output(const ComponentModel& component, Source& source, c
     source.port = element_index(names, parts[1]);
   }
   if (source.port < 0 || parts.size() > 3) {
-    problem(component, source.place, "\"{}\" has no output \"{}\"{}", from.id, source.text.substr(from.id.size() + 1),
-            suggestion(parts[1], names));
+    problem(component, source.place, {"\"{}\" has no output \"{}\"{}", "\"{}\" no tiene la salida \"{}\"{}"}, from.id,
+            source.text.substr(from.id.size() + 1), offer(parts[1], names));
     return;
   }
   const OutputShape& shape = from.outputs[static_cast<std::size_t>(source.port)];
@@ -242,8 +277,8 @@ void Resolver::resolve_output(const ComponentModel& component, Source& source, c
     source.element = element_index(shape.elements, parts[2]);
     source.size = 1;
     if (source.element < 0) {
-      problem(component, source.place, "\"{}.{}\" has no \"{}\"{}", from.id, shape.name, parts[2],
-              suggestion(parts[2], shape.elements));
+      problem(component, source.place, {"\"{}.{}\" has no \"{}\"{}", "\"{}.{}\" no tiene \"{}\"{}"}, from.id,
+              shape.name, parts[2], offer(parts[2], shape.elements));
       return;
     }
   }
@@ -257,11 +292,15 @@ void Resolver::resolve_robot_command(const ComponentModel& component, Source& so
   for (const CommandElement& element : channel.elements) names.push_back(element.name);
   if (parts.size() == 2) source.element = element_index(names, parts[1]);
   if (parts.size() > 2 || (parts.size() == 2 && source.element < 0)) {
-    problem(component, source.place, "command \"{}\" has no \"{}\"{}", parts[0], parts[1], suggestion(parts[1], names));
+    problem(component, source.place, {"command \"{}\" has no \"{}\"{}", "el mando \"{}\" no tiene \"{}\"{}"}, parts[0],
+            parts[1], offer(parts[1], names));
     return;
   }
   if (!source.previous) {
-    problem(component, source.place, "the command of this tick is not made yet; write \"{}@previous\"", source.text);
+    problem(component, source.place,
+            {"the command of this tick is not made yet; write \"{}@previous\"",
+             "el mando de este ciclo aún no está hecho; escriba \"{}@previous\""},
+            source.text);
     return;
   }
   source.kind = Source::Kind::RobotCommand;
@@ -291,15 +330,18 @@ void Resolver::check_shape(const ComponentModel& component, const PortDescriptor
   const int wanted = elements.empty() ? port.size : static_cast<int>(elements.size());
   if (wanted != 0 && source.size != wanted) {
     const std::string shape = elements.empty() ? "" : fmt::format(" {{{}}}", join(elements));
-    problem(component, source.place, "input \"{}\" takes {} value{}{}, \"{}\" has {}{}", port.name, wanted,
-            wanted == 1 ? "" : "s", shape, source.text, source.size,
-            wanted == 1 ? suggestion("", hints_.parts_of(source)) : std::string());
+    problem(component, source.place,
+            {"input \"{}\" takes {} value{}{}, \"{}\" has {}{}",
+             "la entrada \"{}\" admite {} valor{}{}, \"{}\" tiene {}{}"},
+            port.name, wanted, wanted == 1 ? Text{"", ""} : Text{"s", "es"}, shape, source.text, source.size,
+            wanted == 1 ? offer("", hints_.parts_of(source)) : Sentence());
   }
   const std::string unit = unit_of(source);
   if (port.unit != "*" && unit != port.unit) {
-    problem(component, source.place, "input \"{}\" is in [{}], \"{}\" is in [{}]{}", port.name,
-            port.unit.empty() ? "1" : port.unit, source.text, unit.empty() ? "1" : unit,
-            suggestion("", hints_.sources_for(port)));
+    problem(component, source.place,
+            {"input \"{}\" is in [{}], \"{}\" is in [{}]{}", "la entrada \"{}\" está en [{}], \"{}\" está en [{}]{}"},
+            port.name, port.unit.empty() ? "1" : port.unit, source.text, unit.empty() ? "1" : unit,
+            offer("", hints_.sources_for(port)));
   }
 }
 
@@ -312,8 +354,10 @@ void Resolver::check_order(const ComponentModel& component, const PortDescriptor
   const bool early =
       component.component_class == ComponentClass::Sensing || component.component_class == ComponentClass::Goal;
   if (late && early) {
-    problem(component, source.place, "\"{}\" is known only later in the tick; write \"{}@previous\"", source.text,
-            source.text);
+    problem(component, source.place,
+            {"\"{}\" is known only later in the tick; write \"{}@previous\"",
+             "\"{}\" solo se conoce más tarde en el ciclo; escriba \"{}@previous\""},
+            source.text, source.text);
   }
 }
 

@@ -30,7 +30,7 @@ Json definitions() {
 }
 
 std::string description_of(const PortDescriptor& port) {
-  std::string text(port.help.en);
+  std::string text(port.help.in(Language::English));
   if (!port.unit.empty() && port.unit != "*") text += fmt::format(" [{}]", port.unit);
   return text;
 }

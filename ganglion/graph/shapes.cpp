@@ -170,8 +170,10 @@ bool shape_outputs(ControllerModel& model, const RobotDescription& robot, const 
     shape(component, robot);
     for (const OutputShape& output : component.outputs) values += static_cast<std::size_t>(output.size());
     if (values <= kMaxValues) continue;
-    problems.add(component.place, ErrorCode::TooLarge, "{}: with it the signals have more than {} values", component.id,
-                 kMaxValues);
+    problems.add(
+        component.place, ErrorCode::TooLarge,
+        {"{}: with it the signals have more than {} values", "{}: con él las señales tienen más de {} valores"},
+        component.id, kMaxValues);
     return false;
   }
   Adoption(model, robot, ids).run();

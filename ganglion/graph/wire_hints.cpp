@@ -38,7 +38,7 @@ std::vector<std::string> WireHints::sources_for(const PortDescriptor& port) cons
   return names;
 }
 
-std::string WireHints::for_unknown(const PortDescriptor& port, const std::string& text) const {
+Sentence WireHints::for_unknown(const PortDescriptor& port, const std::string& text) const {
   std::vector<std::string> owners, all;
   for (const ComponentModel& component : model_.components) {
     owners.push_back(component.id);
@@ -47,18 +47,22 @@ std::string WireHints::for_unknown(const PortDescriptor& port, const std::string
   for (const CommandChannel& channel : robot_.commands) owners.push_back(channel.name);
   const auto dot = std::min(text.find('.'), text.size());
   if (const auto owner = nearest(text.substr(0, dot), owners)) {
-    return fmt::format("; did you mean \"{}{}\"?", *owner, text.substr(dot));
+    return say({"; did you mean \"{}{}\"?", "; ¿quiso decir \"{}{}\"?"}, *owner, text.substr(dot));
   }
-  if (const auto near = nearest(text, all)) return fmt::format("; did you mean \"{}\"?", *near);
+  if (const auto near = nearest(text, all)) return say({"; did you mean \"{}\"?", "; ¿quiso decir \"{}\"?"}, *near);
   const std::vector<std::string> fitting = sources_for(port);
   return suggestion("", fitting.empty() ? all : fitting);
 }
 
-std::string WireHints::for_channel(const std::string& channel) const {
+Sentence WireHints::for_channel(const std::string& channel) const {
   for (const ComponentModel& component : model_.components) {
-    if (component.channel == channel) return fmt::format("wire the sensation that reads it: \"{}\"", component.id);
+    if (component.channel == channel) {
+      return say({"wire the sensation that reads it: \"{}\"", "conecte la sensación que lo lee: \"{}\""}, component.id);
+    }
   }
-  return fmt::format("add a [[sensation]] with channel = \"{}\" and wire its id", channel);
+  return say({"add a [[sensation]] with channel = \"{}\" and wire its id",
+              "añada una [[sensation]] con channel = \"{}\" y conecte su id"},
+             channel);
 }
 
 std::vector<std::string> WireHints::parts_of(const Source& source) const {

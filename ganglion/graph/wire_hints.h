@@ -17,9 +17,9 @@ class WireHints {
   /// The sources whose values fit a port in unit and number.
   std::vector<std::string> sources_for(const PortDescriptor& port) const;
   /// `; did you mean "nearest.range"?` of a mistyped source of values, or else what fits the port.
-  std::string for_unknown(const PortDescriptor& port, const std::string& text) const;
+  Sentence for_unknown(const PortDescriptor& port, const std::string& text) const;
   /// How to wire a channel of the robot that was written in place of a sensation.
-  std::string for_channel(const std::string& channel) const;
+  Sentence for_channel(const std::string& channel) const;
   /// The single values of a source of several: "position.x", "position.y".
   std::vector<std::string> parts_of(const Source& source) const;
 

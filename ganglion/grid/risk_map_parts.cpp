@@ -35,8 +35,11 @@ bool read_cell(ByteReader& reader, Cell& cell) noexcept {
          cell.cost_j >= 0;
 }
 
-tl::unexpected<Error> corrupt(std::string_view part, std::string_view wanted) {
-  return fail(ErrorCode::Corrupt, "part \"{}\" of the saved map is damaged, expected {}", part, wanted);
+tl::unexpected<Error> corrupt(std::string_view part, const Text& wanted) {
+  return fail(ErrorCode::Corrupt,
+              {"part \"{}\" of the saved map is damaged, expected {}",
+               "la parte \"{}\" del mapa guardado está dañada, se esperaba {}"},
+              part, wanted);
 }
 
 ExperiencePart part_of(const Tile& tile) {
@@ -67,8 +70,10 @@ void RiskMap::save(std::vector<ExperiencePart>& parts) const {
 
 Result<RiskMap> RiskMap::loaded(std::span<const ExperiencePart> parts) const {
   if (parts.size() > max_tiles_ + 1) {
-    return ganglion::fail(ErrorCode::Unsupported, "the saved map has {} tiles, max_tiles is {}", parts.size() - 1,
-                          max_tiles_);
+    return ganglion::fail(
+        ErrorCode::Unsupported,
+        {"the saved map has {} tiles, max_tiles is {}", "el mapa guardado tiene {} bloques, max_tiles es {}"},
+        parts.size() - 1, max_tiles_);
   }
   RiskMap map(static_cast<int>(max_tiles_), rule_);
   map.dynamic_tries_ = dynamic_tries_;
@@ -85,7 +90,7 @@ Result<void> RiskMap::load_summary(std::span<const std::byte> bytes) {
   whole_.cost_j = reader.f64();
   whole_.costed = reader.u32();
   if (!reader.complete() || !std::isfinite(whole_.cost_j) || whole_.cost_j < 0) {
-    return corrupt(kSummary, "a finite cost >= 0 and a count");
+    return corrupt(kSummary, {"a finite cost >= 0 and a count", "un costo finito >= 0 y un recuento"});
   }
   return {};
 }
@@ -96,8 +101,10 @@ Result<void> RiskMap::load_tile(const ExperiencePart& part) {
   const std::int32_t row = reader.i32();
   const std::uint32_t count_saved = reader.u32();
   const bool placed = std::abs(std::int64_t{column}) < kFarthestTile && std::abs(std::int64_t{row}) < kFarthestTile;
-  if (!reader.ok() || !placed) return corrupt(part.name, "a tile's column, row and number of cells");
-  if (tile_at(column, row) != nullptr || full()) return corrupt(part.name, "each tile once");
+  if (!reader.ok() || !placed)
+    return corrupt(part.name,
+                   {"a tile's column, row and number of cells", "columna, fila y número de celdas de un bloque"});
+  if (tile_at(column, row) != nullptr || full()) return corrupt(part.name, {"each tile once", "cada bloque una vez"});
   Tile& tile = add_tile(column, row);
   std::int64_t previous = -1;
   for (std::uint32_t i = 0; i < count_saved; ++i) {
@@ -105,13 +112,13 @@ Result<void> RiskMap::load_tile(const ExperiencePart& part) {
     Cell cell;
     const bool sound = read_cell(reader, cell);
     if (!reader.ok() || !sound || index <= previous || index >= std::ssize(tile.cells)) {
-      return corrupt(part.name, "explored cells in ascending order");
+      return corrupt(part.name, {"explored cells in ascending order", "celdas exploradas en orden ascendente"});
     }
     tile.cells[static_cast<std::size_t>(index)] = cell;
     count(Label::Unexplored, cell.label);
     previous = index;
   }
-  if (!reader.complete()) return corrupt(part.name, "nothing after its last cell");
+  if (!reader.complete()) return corrupt(part.name, {"nothing after its last cell", "nada tras su última celda"});
   return {};
 }
 

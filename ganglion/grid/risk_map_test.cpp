@@ -185,7 +185,7 @@ TEST(RiskMap, ComesBackFromItsParts) {
   EXPECT_EQ(parts[1].name, "tile -1 -1");
   EXPECT_EQ(parts[4].name, "tile 0 0");
   const auto loaded = RiskMap(8, {}).loaded(parts);
-  ASSERT_TRUE(loaded) << loaded.error().message;
+  ASSERT_TRUE(loaded) << loaded.error().what.en;
   EXPECT_EQ(loaded->explored(), 3);
   EXPECT_EQ(loaded->occupied(), 1);
   EXPECT_EQ(loaded->find({-1, -1})->label, Label::Empty);

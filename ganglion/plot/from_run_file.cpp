@@ -31,10 +31,12 @@ class Reader {
     each("/log", [&](const Json& message, double time_s) { read_log(message, time_s); });
     for (std::size_t i = 0; i < kMaxRobots; ++i)
       if (!read_robot(i, described.value_or(Json()))) break;
-    for (const std::string& damage : file_.damages) view_.events.push_back({view_.duration_s, Severity::Error, damage});
+    for (const Sentence& damage : file_.damages) view_.events.push_back({view_.duration_s, Severity::Error, damage});
     if (unread_ > 0)
-      view_.events.push_back(
-          {view_.duration_s, Severity::Warning, fmt::format("{} messages of the run file could not be read", unread_)});
+      view_.events.push_back({view_.duration_s, Severity::Warning,
+                              say({"{} messages of the run file could not be read",
+                                   "no se pudieron leer {} mensajes del archivo de la ejecución"},
+                                  unread_)});
     return std::move(view_);
   }
 
@@ -59,8 +61,7 @@ class Reader {
   }
 
   void read_outcome(const ganglion::RunOutcome& outcome) {
-    view_.outcome = RunOutcome{
-        outcome.success, {outcome.reason, outcome.reason_es}, {outcome.criterion, outcome.criterion}, outcome.digest};
+    view_.outcome = RunOutcome{outcome.success, outcome.reason, Sentence::quoted(outcome.criterion), outcome.digest};
     for (const auto& [name, value] : outcome.measures) view_.measures.push_back({name, value});
   }
 
@@ -83,12 +84,16 @@ class Reader {
     constexpr double kWarning = 3, kError = 4;  // foxglove.Log
     if (view_.events.size() >= kMaxEvents) return;
     const double level = number_in(message, "level");
-    const std::string name = text_in(message, "name");
+    Sentence text{text_in(message, "message"), text_in(message, "message_es")};
+    if (const std::string name = text_in(message, "name"); !name.empty()) {
+      text.en = name + ": " + text.en;
+      if (!text.es.empty()) text.es = name + ": " + text.es;
+    }
     view_.events.push_back({time_s,
                             level >= kError     ? Severity::Error
                             : level >= kWarning ? Severity::Warning
                                                 : Severity::Info,
-                            (name.empty() ? "" : name + ": ") + text_in(message, "message")});
+                            std::move(text)});
   }
 
   /// False where the file has no robot of that number.

@@ -36,7 +36,7 @@ constexpr const char* kRun =
 RunFile sample_file() {
   RunFile file;
   file.info = {.name = "nimrod", .seed = 3, .tick_s = 0.1};
-  file.outcome = ganglion::RunOutcome{"abc", true, "arrived", "llegó", "path_m <= 2", {{"path_m", 1.5}}};
+  file.outcome = ganglion::RunOutcome{"abc", true, {"arrived", "llegó"}, "path_m <= 2", {{"path_m", 1.5}}};
   file.tables.push_back({"/robot0/signals",
                          {{"truth.x_m", "m"},
                           {"truth.y_m", "m"},
@@ -66,9 +66,9 @@ TEST(ViewOfARunFile, HoldsOutcomeTrackAndBody) {
   EXPECT_EQ(run.name, "nimrod");
   EXPECT_DOUBLE_EQ(run.duration_s, 0.2);
   ASSERT_TRUE(run.outcome);
-  EXPECT_EQ(run.outcome->reason.english, "arrived");
-  EXPECT_EQ(run.outcome->reason.spanish, "llegó");
-  EXPECT_EQ(run.outcome->criterion.english, "path_m <= 2");
+  EXPECT_EQ(run.outcome->reason.en, "arrived");
+  EXPECT_EQ(run.outcome->reason.es, "llegó");
+  EXPECT_EQ(run.outcome->criterion.en, "path_m <= 2");
   ASSERT_EQ(run.robots.size(), 1u);
   EXPECT_EQ(run.robots[0].track.x_m, (std::vector<double>{1, 1.1}));
   EXPECT_EQ(run.robots[0].track.touching, (std::vector<std::uint8_t>{0, 1}));
@@ -142,7 +142,13 @@ TEST(ViewOfARunFile, ReadsRoutesGoalsAndEvents) {
   EXPECT_EQ(goal.reason, "walled_in");
   ASSERT_EQ(run.events.size(), 1u);
   EXPECT_EQ(run.events[0].severity, Severity::Warning);
-  EXPECT_EQ(run.events[0].text, "router: withdrawn");
+  EXPECT_EQ(run.events[0].text, (Sentence{"router: withdrawn", ""}));
+}
+
+TEST(ViewOfARunFile, HasEventsInBothLanguagesWhereTheFileHas) {
+  RunFile file = sample_file();
+  file.json["/log"].messages = {{0.1, R"({"level":3,"name":"router","message":"withdrawn","message_es":"retirada"})"}};
+  EXPECT_EQ(from_run_file(file).events.at(0).text, (Sentence{"router: withdrawn", "router: retirada"}));
 }
 
 TEST(ViewOfARunFile, TakesAReplacedGoalForNeitherReachedNorGivenUp) {
@@ -158,7 +164,7 @@ TEST(ViewOfARunFile, CountsWhatItCannotRead) {
   file.json["/robot0/map/router"].messages.push_back({0.2, R"({"data":"!!"})"});
   const RunView run = from_run_file(file);
   ASSERT_EQ(run.events.size(), 2u);
-  EXPECT_NE(run.events[1].text.find("2 messages"), std::string::npos);
+  EXPECT_NE(run.events[1].text.en.find("2 messages"), std::string::npos);
 }
 
 TEST(ViewOfARunFile, SurvivesMutatedMessages) {
@@ -206,7 +212,7 @@ TEST(DrawAll, WritesEveryPictureInThreeFormatsFromARecordedRun) {
   std::filesystem::create_directories(folder);
   const RunFile sample = sample_file();
   auto recorder = RunRecorder::create(path, sample.info);
-  ASSERT_TRUE(recorder) << recorder.error().message;
+  ASSERT_TRUE(recorder) << recorder.error().what.en;
   const int table = recorder->add_table("/robot0/signals", sample.tables[0].columns);
   for (std::size_t row = 0; row < 2; ++row)
     recorder->write_row(table, static_cast<std::uint32_t>(row), 0.1 * static_cast<double>(row),
@@ -216,9 +222,9 @@ TEST(DrawAll, WritesEveryPictureInThreeFormatsFromARecordedRun) {
       recorder->write_json(topic, "ganglion.Any", message.time_s, message.text);
   ASSERT_TRUE(recorder->finish(*sample.outcome));
   const auto file = RunFile::read(path);
-  ASSERT_TRUE(file) << file.error().message;
+  ASSERT_TRUE(file) << file.error().what.en;
   const auto files = draw_all(from_run_file(*file), folder / "pictures", Language::English);
-  ASSERT_TRUE(files) << files.error().message;
+  ASSERT_TRUE(files) << files.error().what.en;
   EXPECT_EQ(files->size(), 4u * 3u);  // trajectory, map, behaviours, signals
   for (const auto& picture : *files) EXPECT_GT(std::filesystem::file_size(picture), 500u) << picture;
   std::filesystem::remove_all(folder);

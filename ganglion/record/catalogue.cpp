@@ -15,14 +15,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 1> kSteps = {
+constexpr std::array<std::string_view, 2> kSteps = {
     "CREATE TABLE run(file TEXT PRIMARY KEY, name TEXT NOT NULL, seed INTEGER NOT NULL, episode INTEGER NOT NULL, "
     "controller_hash TEXT NOT NULL, finished INTEGER NOT NULL, digest TEXT NOT NULL, success INTEGER NOT NULL, "
     "reason TEXT NOT NULL, recorded_s INTEGER NOT NULL);"
     "CREATE TABLE measure(file TEXT NOT NULL, position INTEGER NOT NULL, name TEXT NOT NULL, value REAL, "
     "PRIMARY KEY (file, position));"
-    "CREATE INDEX measure_by_name ON measure(name)"};
-constexpr DatabaseLayout kLayout{.what = "a catalogue of runs",
+    "CREATE INDEX measure_by_name ON measure(name)",
+    "ALTER TABLE run ADD COLUMN reason_es TEXT NOT NULL DEFAULT ''"};
+constexpr DatabaseLayout kLayout{.what = {"a catalogue of runs", "un catálogo de ejecuciones"},
                                  .application_id = 0x47414e52,  // "GANR"
                                  .steps = kSteps,
                                  .survives_power_cut = false};
@@ -70,7 +71,8 @@ std::string select_sql(const RunFilter& filter) {
                               ? "(SELECT value FROM measure WHERE measure.file = run.file AND measure.name = ?5)"
                               : std::string(column);
   return fmt::format(
-      "SELECT file, name, seed, episode, controller_hash, finished, digest, success, reason, recorded_s FROM run "
+      "SELECT file, name, seed, episode, controller_hash, finished, digest, success, reason, recorded_s, reason_es "
+      "FROM run "
       "WHERE (?1 IS NULL OR name = ?1) AND (?2 IS NULL OR seed = ?2) AND (?3 IS NULL OR controller_hash = ?3) "
       "AND (?4 IS NULL OR success = ?4) ORDER BY {} {} NULLS LAST, file LIMIT ?6",
       key, filter.descending ? "DESC" : "ASC");
@@ -86,7 +88,7 @@ RunSummary run_in_row(const Statement& row) {
   run.finished = row.integer(5) != 0;
   run.digest = row.text(6);
   run.success = row.integer(7) != 0;
-  run.reason = row.text(8);
+  run.reason = {row.text(8), row.text(10)};
   run.recorded_s = row.integer(9);
   return run;
 }
@@ -121,7 +123,7 @@ Result<void> RunCatalogue::add(const RunSummary& run) {
 }
 
 Result<void> RunCatalogue::insert(const RunSummary& run) {
-  auto insert = database_.prepare("INSERT OR REPLACE INTO run VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  auto insert = database_.prepare("INSERT OR REPLACE INTO run VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   if (!insert) return tl::unexpected(insert.error());
   insert->bind(1, std::string_view(run.file));
   insert->bind(2, std::string_view(run.name));
@@ -131,8 +133,9 @@ Result<void> RunCatalogue::insert(const RunSummary& run) {
   insert->bind(6, std::int64_t{run.finished});
   insert->bind(7, std::string_view(run.digest));
   insert->bind(8, std::int64_t{run.success});
-  insert->bind(9, std::string_view(run.reason));
+  insert->bind(9, std::string_view(run.reason.en));
   insert->bind(10, run.recorded_s);
+  insert->bind(11, std::string_view(run.reason.es));
   if (auto done = insert->run(); !done) return done;
   return insert_measures(run);
 }
@@ -185,8 +188,12 @@ Result<std::vector<RunSummary>> RunCatalogue::list(const RunFilter& filter) cons
     if (!names) return tl::unexpected(names.error());
     if (std::find(names->begin(), names->end(), filter.sort_by) == names->end()) {
       for (const auto& [name, column] : kOrders) names->emplace_back(name);
-      return fail_at({database_.file()}, ErrorCode::UnknownKey, "runs cannot be sorted by \"{}\"{}", filter.sort_by,
-                     suggestion(filter.sort_by, *names));
+      return tl::unexpected<Error>(
+          Error{ErrorCode::UnknownKey,
+                say({"runs cannot be sorted by \"{}\"{}", "las ejecuciones no se pueden ordenar por \"{}\"{}"},
+                    filter.sort_by, suggestion(filter.sort_by, *names)),
+                {database_.file()},
+                {.found = filter.sort_by, .choices = *names}});
     }
   }
   auto select = database_.prepare(select_sql(filter));
@@ -216,7 +223,7 @@ Result<RebuildReport> RunCatalogue::rebuild() {
     for (const fs::path& path : run_files(folder_)) {
       const auto run = RunFile::read_summary(path, Recover::Yes);
       if (!run) {
-        report.problems.push_back(run.error().text());
+        report.problems.push_back(run.error());
         continue;
       }
       const std::string file = path.lexically_relative(folder_).generic_string();
@@ -240,7 +247,7 @@ std::string to_csv(std::span<const RunSummary> runs) {
   for (const RunSummary& run : runs) {
     text += fmt::format("{},{},{},{},{},{},{},{},{},{}", csv_cell(run.file), csv_cell(run.name), run.seed, run.episode,
                         csv_cell(run.controller_hash), run.finished, csv_cell(run.digest), run.success,
-                        csv_cell(run.reason), run.recorded_s);
+                        csv_cell(run.reason.en), run.recorded_s);
     for (const std::string& name : measures) {
       const auto found =
           std::find_if(run.measures.begin(), run.measures.end(), [&](const auto& m) { return m.first == name; });

@@ -25,7 +25,7 @@ struct RunSummary {
   bool finished = false;  ///< False for a run that was cut; the next three are then empty.
   std::string digest;
   bool success = false;
-  std::string reason;
+  Sentence reason;  ///< No Spanish where the file has English only.
   std::vector<std::pair<std::string, double>> measures;
   std::int64_t recorded_s = 0;  ///< When, seconds since 1970.
 };
@@ -47,7 +47,7 @@ struct RunFilter {
 /// What rebuild() found.
 struct RebuildReport {
   std::size_t runs = 0;
-  std::vector<std::string> problems;  ///< Files left out, and why, in words.
+  std::vector<Error> problems;  ///< Files left out, and why.
 };
 
 /// The runs of a folder in one SQLite file, for listing and comparing. Rebuildable: the MCAP files are the truth, this
@@ -77,8 +77,8 @@ class RunCatalogue {
   Database database_;
 };
 
-/// A line of names and one for each run; after the fixed columns every measure that any of them has, in alphabetical
-/// order, empty where a run has it not.
+/// A line of names and one for each run, its reason in English; after the fixed columns every measure that any of them
+/// has, in alphabetical order, empty where a run has it not.
 std::string to_csv(std::span<const RunSummary> runs);
 
 }  // namespace ganglion

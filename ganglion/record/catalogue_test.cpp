@@ -21,7 +21,7 @@ RunSummary run(std::string file, std::uint64_t seed, bool success,
   summary.finished = true;
   summary.digest = "d" + std::to_string(seed);
   summary.success = success;
-  summary.reason = success ? "goal" : "time is up";
+  summary.reason = success ? Sentence{"goal", "meta"} : Sentence{"time is up", "se acabó el tiempo"};
   summary.measures = std::move(measures);
   summary.recorded_s = 1000 + static_cast<std::int64_t>(seed);
   return summary;
@@ -50,7 +50,7 @@ TEST_F(Catalogue, KeepsWhatWasAdded) {
   const RunSummary& got = runs->front();
   EXPECT_EQ(got.seed, large_seed);
   EXPECT_EQ(got.digest, "d18446744073709551615");
-  EXPECT_EQ(got.reason, "goal");
+  EXPECT_EQ(got.reason, (Sentence{"goal", "meta"}));
   EXPECT_TRUE(got.success && got.finished);
   ASSERT_EQ(got.measures.size(), 3u);
   EXPECT_EQ(got.measures[0], (std::pair<std::string, double>("time_s", 12.5)));
@@ -88,14 +88,14 @@ TEST_F(Catalogue, SuggestsWhatToSortBy) {
   const auto refused = open().list({.sort_by = "time"});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::UnknownKey);
-  EXPECT_NE(refused.error().message.find("\"time\"; did you mean"), std::string::npos) << refused.error().message;
+  EXPECT_NE(refused.error().what.en.find("\"time\"; did you mean"), std::string::npos) << refused.error().what.en;
   EXPECT_FALSE(open().list({.sort_by = "seed; DROP TABLE run"}));
 }
 
 TEST_F(Catalogue, IsRebuiltFromTheFiles) {
   const RunInfo info{.name = "Nimrod", .seed = 7, .episode = 1, .tick_s = 0.1, .controller_hash = "c0"};
   ASSERT_TRUE(RunRecorder::create(folder_ / "2020" / "done.mcap", info)
-                  ->finish({.digest = "d7", .success = true, .reason = "goal", .measures = {{"time_s", 3}}}));
+                  ->finish({.digest = "d7", .success = true, .reason = {"goal", "meta"}, .measures = {{"time_s", 3}}}));
   ASSERT_TRUE(RunRecorder::create(folder_ / "whole.mcap", info)->finish({}));
   const std::string whole = *read_file(folder_ / "whole.mcap");
   std::filesystem::remove(folder_ / "whole.mcap");
@@ -107,10 +107,11 @@ TEST_F(Catalogue, IsRebuiltFromTheFiles) {
   ASSERT_TRUE(report) << report.error().text();
   EXPECT_EQ(report->runs, 2u);
   ASSERT_EQ(report->problems.size(), 1u);
-  EXPECT_NE(report->problems[0].find("broken.mcap: is no MCAP file"), std::string::npos);
+  EXPECT_NE(report->problems[0].text().find("broken.mcap: is no MCAP file"), std::string::npos);
   const auto runs = catalogue.list({.sort_by = "file", .descending = false});
   ASSERT_EQ(files(runs), "2020/done.mcap cut.mcap ");
   EXPECT_EQ((*runs)[0].digest, "d7");
+  EXPECT_EQ((*runs)[0].reason.es, "meta");
   EXPECT_EQ((*runs)[0].measures.size(), 1u);
   EXPECT_GT((*runs)[0].recorded_s, 1'500'000'000);
   EXPECT_FALSE((*runs)[1].finished);

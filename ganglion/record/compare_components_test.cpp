@@ -19,7 +19,7 @@ TEST(CompareComponents, SortsThemByWhatBecameOfThem) {
 
 TEST(CompareComponents, ReadsThemBackFromTheRunFilesFields) {
   const RunOutcome outcome{
-      .digest = "00", .reason = "goal", .component_digests = {{"robot0/a", "2"}, {"robot0/b", "1"}}};
+      .digest = "00", .reason = {"goal", "meta"}, .component_digests = {{"robot0/a", "2"}, {"robot0/b", "1"}}};
   const auto read = run_outcome_from(to_fields(outcome));
   ASSERT_TRUE(read);
   EXPECT_EQ(read->component_digests, outcome.component_digests);

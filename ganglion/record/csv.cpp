@@ -60,15 +60,20 @@ class CsvParser {
 
   Result<void> header(std::string_view line) {
     const auto cells = cells_of(line);
-    if (!cells) return fail_at(place(1), ErrorCode::Syntax, "a quote is not closed on its line");
+    if (!cells)
+      return fail_at(place(1), ErrorCode::Syntax,
+                     {"a quote is not closed on its line", "unas comillas no se cierran en su línea"});
     if (cells->size() > kMaxCsvColumns) {
-      return fail_at(place(1), ErrorCode::TooLarge, "{} columns; the limit is {}", cells->size(), kMaxCsvColumns);
+      return fail_at(place(1), ErrorCode::TooLarge, {"{} columns; the limit is {}", "{} columnas; el límite es {}"},
+                     cells->size(), kMaxCsvColumns);
     }
     for (const Cell& cell : *cells) {
       if (cell.text.empty())
-        return fail_at(place(cell.column), ErrorCode::Syntax, "the first line must name every column");
+        return fail_at(place(cell.column), ErrorCode::Syntax,
+                       {"the first line must name every column", "la primera línea debe nombrar todas las columnas"});
       if (csv_.column(cell.text)) {
-        return fail_at(place(cell.column), ErrorCode::BadParameter, "column \"{}\" is there twice", cell.text);
+        return fail_at(place(cell.column), ErrorCode::BadParameter,
+                       {"column \"{}\" is there twice", "la columna \"{}\" aparece dos veces"}, cell.text);
       }
       csv_.columns.push_back(cell.text);
     }
@@ -77,20 +82,25 @@ class CsvParser {
 
   Result<void> row(std::string_view line) {
     const auto cells = cells_of(line);
-    if (!cells) return fail_at(place(1), ErrorCode::Syntax, "a quote is not closed on its line");
+    if (!cells)
+      return fail_at(place(1), ErrorCode::Syntax,
+                     {"a quote is not closed on its line", "unas comillas no se cierran en su línea"});
     if (cells->size() != csv_.columns.size()) {
-      return fail_at(place(1), ErrorCode::Syntax, "{} cells, where {} columns are named on line 1", cells->size(),
-                     csv_.columns.size());
+      return fail_at(place(1), ErrorCode::Syntax,
+                     {"{} cells, where {} columns are named on line 1", "{} celdas, y la línea 1 nombra {} columnas"},
+                     cells->size(), csv_.columns.size());
     }
     if (csv_.values.size() + cells->size() > kMaxCsvValues) {
-      return fail_at(place(1), ErrorCode::TooLarge, "over {} numbers", kMaxCsvValues);
+      return fail_at(place(1), ErrorCode::TooLarge, {"over {} numbers", "más de {} números"}, kMaxCsvValues);
     }
     for (std::size_t i = 0; i < cells->size(); ++i) {
       const Cell& cell = (*cells)[i];
       const auto value = parse_number(cell.text);
       if (!value) {
         return fail_at(place(cell.column), ErrorCode::Syntax,
-                       "{}: \"{}\" is no number; valid: decimals, nan, inf, -inf", csv_.columns[i], cell.text);
+                       {"{}: \"{}\" is no number; valid: decimals, nan, inf, -inf",
+                        "{}: \"{}\" no es un número; válidos: decimales, nan, inf, -inf"},
+                       csv_.columns[i], cell.text);
       }
       csv_.values.push_back(*value);
     }

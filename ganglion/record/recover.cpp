@@ -14,6 +14,12 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostNumbers = 65535;  // of channels or schemas, counted from 1 in two bytes
 
+std::vector<std::string> english(const std::vector<Sentence>& sentences) {
+  std::vector<std::string> texts;
+  for (const Sentence& one : sentences) texts.push_back(one.en);
+  return texts;
+}
+
 /// Writes what was read into a new file.
 class Rewriter {
  public:
@@ -26,7 +32,7 @@ class Rewriter {
     writer_.metadata(kRecoveredMetadata, {{"chunks", std::to_string(recovery.chunks)},
                                           {"messages", std::to_string(recovery.messages)},
                                           {"until_s", shortest(recovery.until_s)},
-                                          {"damages", to_lines(recovery.damages)}});
+                                          {"damages", to_lines(english(recovery.damages))}});
     for (const mcap::Attachment& one : content_.attachments) {
       writer_.attach(one.name, one.media_type, one.bytes, one.log_time_ns);
     }
@@ -65,11 +71,14 @@ bool has(const McapContent& content, std::string_view metadata) {
 
 Result<void> check(const McapContent& content, const std::string& name) {
   if (!has(content, kRunMetadata)) {
-    return fail_at({name}, ErrorCode::Unsupported, "nothing to recover: there is no whole metadata \"{}\" in it",
+    return fail_at({name}, ErrorCode::Unsupported,
+                   {"nothing to recover: there is no whole metadata \"{}\" in it",
+                    "no hay nada que recuperar: no tiene metadatos \"{}\" enteros"},
                    kRunMetadata);
   }
   if (content.channels.size() > kMostNumbers || content.schemas.size() > kMostNumbers) {
-    return fail_at({name}, ErrorCode::TooLarge, "has over {} channels or schemas", kMostNumbers);
+    return fail_at({name}, ErrorCode::TooLarge,
+                   {"has over {} channels or schemas", "tiene más de {} canales o esquemas"}, kMostNumbers);
   }
   return {};
 }
@@ -114,7 +123,8 @@ Result<Recovery> recover_run(std::string_view bytes, const std::string& name, co
 Result<Recovery> recover_run(const fs::path& from, const fs::path& to, McapWriterOptions options) {
   std::error_code ignored;
   if (fs::equivalent(from, to, ignored)) {
-    return fail_at({to.string()}, ErrorCode::BadParameter, "is the file to recover: write to another one");
+    return fail_at({to.string()}, ErrorCode::BadParameter,
+                   {"is the file to recover: write to another one", "es el archivo que se recupera: escriba en otro"});
   }
   const auto bytes = read_file(from, mcap::kMaxMcapFileBytes);
   if (!bytes) return tl::unexpected(bytes.error());

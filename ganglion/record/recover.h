@@ -15,9 +15,9 @@ namespace ganglion {
 struct Recovery {
   std::uint64_t chunks = 0;  ///< Whole ones; the file written may have other ones.
   std::uint64_t messages = 0;
-  double until_s = 0;                ///< Time of the latest message.
-  bool finished = false;             ///< The outcome of the run is among what was saved.
-  std::vector<std::string> damages;  ///< What was passed over, in words; empty = the file was whole.
+  double until_s = 0;             ///< Time of the latest message.
+  bool finished = false;          ///< The outcome of the run is among what was saved.
+  std::vector<Sentence> damages;  ///< What was passed over, in words; empty = the file was whole.
 };
 
 /// Name of the MCAP metadata record that a recovered file has more than the run had: what was saved, and what was

@@ -57,8 +57,9 @@ class Collector {
     SignalTable& table = table_of(channel);
     if (!decode_signals(message.data, row_) || row_.values.size() != table.columns.size()) {
       if (!problem_) {
-        problem_ = Error{ErrorCode::Corrupt, fmt::format("message {} of \"{}\" is no row of {} values",
-                                                         message.sequence, channel.topic, table.columns.size())};
+        problem_ = Error{ErrorCode::Corrupt, say({"message {} of \"{}\" is no row of {} values",
+                                                  "el mensaje {} de \"{}\" no es una fila de {} valores"},
+                                                 message.sequence, channel.topic, table.columns.size())};
       }
       return;
     }
@@ -87,7 +88,11 @@ Result<void> take_metadata(const std::vector<mcap::Metadata>& metadata, RunFile&
       run.outcome = std::move(*outcome);
     }
   }
-  if (!found) return fail(ErrorCode::Unsupported, "holds no run: there is no metadata \"{}\"", kRunMetadata);
+  if (!found) {
+    return fail(ErrorCode::Unsupported,
+                {"holds no run: there is no metadata \"{}\"", "no contiene ninguna ejecución: no hay metadatos \"{}\""},
+                kRunMetadata);
+  }
   return {};
 }
 
@@ -116,7 +121,7 @@ Result<RunFile> parse_run(std::string_view bytes, const std::string& name, Recov
     outcome.error().place.file = name;
     return tl::unexpected(outcome.error());
   }
-  if (collector.problem()) run.damages.push_back(collector.problem()->message);
+  if (collector.problem()) run.damages.push_back(collector.problem()->what);
   run.attachments = std::move(content->attachments);
   return run;
 }

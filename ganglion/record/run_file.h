@@ -32,7 +32,7 @@ struct RunFile {
   std::vector<mcap::Attachment> attachments;
   std::vector<SignalTable> tables;
   std::map<std::string, JsonTopic, std::less<>> json;  ///< By topic.
-  std::vector<std::string> damages;                    ///< What Recover::Yes passed over, in words.
+  std::vector<Sentence> damages;                       ///< What Recover::Yes passed over, in words.
 
   /// Fails with NotFound, Unreadable, TooLarge, Syntax (no MCAP file), Unsupported (an MCAP file, but not of a run) or
   /// Corrupt; a cut or damaged file can be read with Recover::Yes as far as it goes.

@@ -53,8 +53,7 @@ TEST_F(RunFileTest, ReadsBackWhatWasRecorded) {
   auto recorder = record(3, options());
   ASSERT_TRUE(recorder.finish({.digest = "abc",
                                .success = true,
-                               .reason = "goal",
-                               .reason_es = "meta",
+                               .reason = {"goal", "meta"},
                                .criterion = "a > 1",
                                .measures = {{"b", 0.1}, {"a", NAN}}}));
   const auto run = RunFile::read(path());
@@ -70,8 +69,7 @@ TEST_F(RunFileTest, ReadsBackWhatWasRecorded) {
   ASSERT_TRUE(run->outcome);
   EXPECT_EQ(run->outcome->digest, "abc");
   EXPECT_TRUE(run->outcome->success);
-  EXPECT_EQ(run->outcome->reason, "goal");
-  EXPECT_EQ(run->outcome->reason_es, "meta");
+  EXPECT_EQ(run->outcome->reason, (Sentence{"goal", "meta"}));
   EXPECT_EQ(run->outcome->criterion, "a > 1");
   ASSERT_EQ(run->outcome->measures.size(), 2u);
   EXPECT_EQ(run->outcome->measures[0], (std::pair<std::string, double>("b", 0.1)));
@@ -151,13 +149,21 @@ TEST_F(RunFileTest, RefusesARowOfTheWrongLength) {
   const auto run = RunFile::read(path());
   ASSERT_FALSE(run);
   EXPECT_EQ(run.error().code, ErrorCode::Corrupt);
-  EXPECT_EQ(run.error().message, "message 0 of \"/robot0/signals\" is no row of 2 values");
+  EXPECT_EQ(run.error().what.en, "message 0 of \"/robot0/signals\" is no row of 2 values");
+}
+
+TEST(RunOutcome, HasNoSpanishWhereTheFileHadNone) {
+  const auto outcome = run_outcome_from({{"digest", ""}, {"success", "true"}, {"reason", "duration over"}});
+  ASSERT_TRUE(outcome) << outcome.error().text();
+  EXPECT_EQ(outcome->reason, (Sentence{"duration over", ""}));
 }
 
 TEST(RunOutcome, NamesTheFieldThatIsWrong) {
   const auto outcome = run_outcome_from({{"digest", ""}, {"success", "yes"}, {"reason", ""}});
   ASSERT_FALSE(outcome);
-  EXPECT_EQ(outcome.error().message, "metadata \"ganglion.outcome\" has success = \"yes\"; valid: true, false");
+  EXPECT_EQ(outcome.error().what.en, "metadata \"ganglion.outcome\" has success = \"yes\"; valid: true, false");
+  EXPECT_EQ(outcome.error().what.es,
+            "el registro de metadatos \"ganglion.outcome\" tiene success = \"yes\"; válidos: true, false");
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ class FieldTaker {
     const auto found =
         std::find_if(fields_.begin(), fields_.end(), [&](const auto& field) { return field.first == key; });
     if (found != fields_.end()) return found->second;
-    complain(fmt::format("has no field \"{}\"", key));
+    complain({"has no field \"{}\"", "no tiene el campo \"{}\""}, key);
     return {};
   }
 
@@ -35,36 +35,41 @@ class FieldTaker {
     Integer value = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error != std::errc() || end != word.data() + word.size()) {
-      complain(fmt::format("has {} = \"{}\", which is no whole number in range", key, word));
+      complain({"has {} = \"{}\", which is no whole number in range",
+                "tiene {} = \"{}\", que no es un número entero admitido"},
+               key, word);
     }
     return value;
   }
 
   double number(std::string_view key, std::string_view word) {
     const auto value = parse_number(word);
-    if (!value) complain(fmt::format("has {} = \"{}\", which is no number", key, word));
+    if (!value) complain({"has {} = \"{}\", which is no number", "tiene {} = \"{}\", que no es un número"}, key, word);
     return value.value_or(0);
   }
 
   bool truth(std::string_view key) {
     const std::string word = text(key);
-    if (word != "true" && word != "false") complain(fmt::format("has {} = \"{}\"; valid: true, false", key, word));
+    if (word != "true" && word != "false") {
+      complain({"has {} = \"{}\"; valid: true, false", "tiene {} = \"{}\"; válidos: true, false"}, key, word);
+    }
     return word == "true";
   }
 
   template <class T>
   Result<T> result(T value) const {
     if (!complaint_) return value;
-    return fail(ErrorCode::Corrupt, "metadata \"{}\" {}", record_, *complaint_);
+    return fail(ErrorCode::Corrupt, {"metadata \"{}\" {}", "el registro de metadatos \"{}\" {}"}, record_, *complaint_);
   }
 
  private:
-  void complain(std::string what) {
-    if (!complaint_) complaint_ = std::move(what);
+  template <class... Args>
+  void complain(Wording<std::type_identity_t<Args>...> words, const Args&... args) {
+    if (!complaint_) complaint_ = say<Args...>(words, args...);
   }
   const mcap::Fields& fields_;
   std::string_view record_;
-  std::optional<std::string> complaint_;
+  std::optional<Sentence> complaint_;
 };
 
 }  // namespace
@@ -82,8 +87,8 @@ mcap::Fields to_fields(const RunInfo& info) {
 
 mcap::Fields to_fields(const RunOutcome& outcome) {
   mcap::Fields fields = {
-      {"digest", outcome.digest}, {"success", outcome.success ? "true" : "false"}, {"reason", outcome.reason}};
-  if (!outcome.reason_es.empty()) fields.emplace_back(kReasonEs, outcome.reason_es);
+      {"digest", outcome.digest}, {"success", outcome.success ? "true" : "false"}, {"reason", outcome.reason.en}};
+  if (!outcome.reason.es.empty()) fields.emplace_back(kReasonEs, outcome.reason.es);
   if (!outcome.criterion.empty()) fields.emplace_back(kCriterion, outcome.criterion);
   for (const auto& [name, value] : outcome.measures) fields.emplace_back(std::string(kMeasure) + name, shortest(value));
   if (outcome.interventions > 0) fields.emplace_back(kInterventions, std::to_string(outcome.interventions));
@@ -111,9 +116,9 @@ Result<RunOutcome> run_outcome_from(const mcap::Fields& fields) {
   RunOutcome outcome;
   outcome.digest = taker.text("digest");
   outcome.success = taker.truth("success");
-  outcome.reason = taker.text("reason");
+  outcome.reason.en = taker.text("reason");
   for (const auto& [key, value] : fields) {
-    if (key == kReasonEs) outcome.reason_es = value;
+    if (key == kReasonEs) outcome.reason.es = value;
     if (key == kCriterion) outcome.criterion = value;
     if (key == kInterventions) outcome.interventions = taker.integer<std::size_t>(key);
     if (key.starts_with(kMeasure)) outcome.measures.emplace_back(key.substr(kMeasure.size()), taker.number(key, value));

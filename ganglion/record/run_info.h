@@ -27,8 +27,7 @@ struct RunInfo {
 struct RunOutcome {
   std::string digest;  ///< Of the deterministic signals, hex digits.
   bool success = false;
-  std::string reason;     ///< Why it ended, in plain English...
-  std::string reason_es;  ///< ... and Spanish; "" in files that had English only.
+  Sentence reason;        ///< Why it ended, in plain words; no Spanish in files that had English only.
   std::string criterion;  ///< What the experiment calls success: "progress_ratio >= 0.6; ..."; "" likewise.
   std::vector<std::pair<std::string, double>> measures;  ///< In the order of the experiment file.
   /// Of each component alone, "robot0/escape": what an unrelated component leaves as it was.

@@ -20,10 +20,10 @@ using plot::Language;
 constexpr std::size_t kMaxListedEvents = 500;
 
 /// A recorded sentence in both languages; where there is only the English one, it says so to readers aloud.
-std::string sentence(const plot::Sentence& said) {
-  if (said.spanish.empty()) return fmt::format("<span lang=\"en\">{}</span>", safe(said.english));
+std::string sentence(const Sentence& said) {
+  if (said.es.empty()) return fmt::format("<span lang=\"en\">{}</span>", safe(said.en));
   return fmt::format("<span class=\"said-en\" lang=\"en\">{}</span><span class=\"said-es\" lang=\"es\">{}</span>",
-                     safe(said.english), safe(said.spanish));
+                     safe(said.en), safe(said.es));
 }
 
 std::string badge(const plot::RunView& run, Language language) {
@@ -42,14 +42,14 @@ std::string badge(const plot::RunView& run, Language language) {
                      : success    ? "success"
                                   : "failure",
                      icon, word) +
-         (run.outcome && !run.outcome->reason.english.empty() ? ": " + sentence(run.outcome->reason) : "") + "</p>\n";
+         (run.outcome && !run.outcome->reason.en.empty() ? ": " + sentence(run.outcome->reason) : "") + "</p>\n";
 }
 
 std::string header(const plot::RunView& run, Language language) {
   std::string html = fmt::format("<header>\n<div class=\"top\"><h1>{}</h1>", safe(run.name));
   html += worded("button", "other_language", language, "type=\"button\" id=\"language\"") + "</div>\n" +
           badge(run, language);
-  if (run.outcome && !run.outcome->criterion.english.empty())
+  if (run.outcome && !run.outcome->criterion.en.empty())
     html += "<p>" + worded("span", "criterion", language) + ": " + sentence(run.outcome->criterion) + "</p>\n";
   html += fmt::format("<p class=\"meta\">{} {} &middot; {} {:.1f} s &middot; {} {}", worded("span", "seed", language),
                       run.seed, worded("span", "duration", language), run.duration_s,
@@ -113,9 +113,8 @@ std::string events(const plot::RunView& run, Language language) {
   for (std::size_t i = 0; i < std::min(run.events.size(), kMaxListedEvents); ++i) {
     const plot::Event& event = run.events[i];
     const double time_s = std::isfinite(event.time_s) ? event.time_s : 0;
-    html += fmt::format(
-        "<li><button type=\"button\" data-seek=\"{0:.3f}\">{0:.2f} s</button>{1}<span lang=\"en\">{2}</span></li>\n",
-        time_s, level_of(event.severity, language), safe(event.text));
+    html += fmt::format("<li><button type=\"button\" data-seek=\"{0:.3f}\">{0:.2f} s</button>{1}{2}</li>\n", time_s,
+                        level_of(event.severity, language), sentence(event.text));
   }
   html += "</ul>\n";
   if (run.events.size() > kMaxListedEvents) html += worded("p", "more_events", language);

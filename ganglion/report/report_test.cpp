@@ -24,7 +24,7 @@ using plot::RunView;
 
 std::string page_of(const RunView& run, Language language = Language::English) {
   const auto html = report_page(run, {language});
-  EXPECT_TRUE(html) << html.error().message;
+  EXPECT_TRUE(html) << html.error().what.en;
   return html.value_or("");
 }
 
@@ -68,14 +68,20 @@ TEST(Report, StaysMarkupWhateverTheNamesSay) {
   RunView run = plot::sample_behaviour_run(2, 5);
   const std::string attack = "</script><script>alert(1)</script><img src=x onerror=alert(1)>\"'";
   run.name = run.robots[0].name = run.robots[0].sensors[0].id = run.robots[0].coordinations[0].coordinator = attack;
-  run.robots[0].coordinations[0].candidates[1] = run.events[0].text = run.measures[0].name = attack;
-  run.outcome->reason = run.outcome->criterion = {attack, attack};
+  run.robots[0].coordinations[0].candidates[1] = run.measures[0].name = attack;
+  run.outcome->reason = run.outcome->criterion = run.events[0].text = {attack, attack};
   run.outcome->digest = run.robots[1].signals.columns[2].name = attack;
   const std::string html = page_of(run);
   EXPECT_EQ(between(html, "<script", ">").size(), 3u);  // two blocks of data and the player
   EXPECT_EQ(html.find("<img"), std::string::npos);
   EXPECT_EQ(html.find("<script>"), std::string::npos);
   EXPECT_NE(html.find("&lt;/script&gt;"), std::string::npos);
+}
+
+TEST(Report, SaysEventsInBothLanguagesAndWhichIsInEnglishOnly) {
+  const std::string html = page_of(plot::sample_behaviour_run(1, 5), Language::Spanish);
+  EXPECT_NE(html.find("<span class=\"said-es\" lang=\"es\">empezó</span>"), std::string::npos);
+  EXPECT_NE(html.find("<span lang=\"en\">stuck</span>"), std::string::npos);
 }
 
 TEST(Report, CarriesTheRunAsJsonThatReadsBack) {

@@ -58,9 +58,12 @@ std::string check_file(const fs::path& given, Problems& problems) {
   } else if (kind == "world") {
     check_world(file, problems);
   } else {
-    problems.add({file.string(), 1, 1}, ErrorCode::Unsupported,
-                 "is neither an experiment ([application], [run]), a controller ([[acting]], ...), a robot ([body], "
-                 "[drive], ...) nor a world ([[wall]], [[box]], ...)");
+    problems.add(
+        {file.string(), 1, 1}, ErrorCode::Unsupported,
+        {"is neither an experiment ([application], [run]), a controller ([[acting]], ...), a robot ([body], "
+         "[drive], ...) nor a world ([[wall]], [[box]], ...)",
+         "no es ni un experimento ([application], [run]), ni un controlador ([[acting]], ...), ni un robot ([body], "
+         "[drive], ...) ni un mundo ([[wall]], [[box]], ...)"});
   }
   return kind;
 }

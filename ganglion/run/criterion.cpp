@@ -56,7 +56,9 @@ Result<Criterion> parse_criterion(std::string_view text) {
       words.size() == 3 ? std::find(kRelations.begin(), kRelations.end(), words[1]) : kRelations.end();
   const auto bound = words.size() == 3 ? parse_number(words[2]) : std::nullopt;
   if (relation == kRelations.end() || !bound) {
-    return fail(ErrorCode::Syntax, "\"{}\": write a measure, <, <=, ==, >= or >, and a number, as in \"contacts <= 3\"",
+    return fail(ErrorCode::Syntax,
+                {"\"{}\": write a measure, <, <=, ==, >= or >, and a number, as in \"contacts <= 3\"",
+                 "\"{}\": escriba una medida, <, <=, ==, >= o >, y un número, como en \"contacts <= 3\""},
                 text);
   }
   return Criterion{words[0], static_cast<Criterion::Relation>(relation - kRelations.begin()), *bound};

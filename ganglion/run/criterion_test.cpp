@@ -24,7 +24,8 @@ TEST(Criterion, SaysHowItIsWritten) {
   for (const char* wrong : {"", "a", "a < b", "a << 3", "a < 3 4"}) {
     const auto criterion = parse_criterion(wrong);
     ASSERT_FALSE(criterion) << wrong;
-    EXPECT_NE(criterion.error().message.find("contacts <= 3"), std::string::npos);
+    EXPECT_NE(criterion.error().what.en.find("contacts <= 3"), std::string::npos);
+    EXPECT_NE(criterion.error().what.es.find("escriba una medida"), std::string::npos);
   }
 }
 

@@ -49,7 +49,8 @@ SpawnChoice read_spawn(Table table) {
   spawn.clearance_m = table.number("clearance_m", spawn.clearance_m, config::Range{0, 100});
   const double yaw_deg = table.number("yaw_deg", std::numeric_limits<double>::quiet_NaN());
   if (!std::isnan(yaw_deg)) spawn.yaw = Angle::from_deg(yaw_deg);
-  if (spawn.pose && !spawn.id.empty()) table.problem("id", ErrorCode::BadParameter, "give either a pose or an id");
+  if (spawn.pose && !spawn.id.empty())
+    table.problem("id", ErrorCode::BadParameter, {"give either a pose or an id", "dé una pose o un id, no ambos"});
   return spawn;
 }
 
@@ -64,11 +65,12 @@ LinkChoice read_link(Table& application) {
   link.json = application.choice("encoding", kEncodings, 0) == 1;
   if (!link.address.empty()) {
     if (const auto address = link::parse_address(link.address); !address) {
-      application.problem("address", address.error().code, "{}", address.error().message);
+      application.problem("address", address.error());
     }
     if (!link.program.empty()) {
       application.problem("program", ErrorCode::BadParameter,
-                          "give either an address, where a robot listens, or a program to start");
+                          {"give either an address, where a robot listens, or a program to start",
+                           "dé una dirección, donde escucha un robot, o un programa que iniciar, no ambos"});
     }
   }
   return link;
@@ -80,7 +82,7 @@ std::vector<Criterion> read_criteria(Table& table, std::string_view key) {
     if (auto criterion = parse_criterion(text)) {
       criteria.push_back(std::move(*criterion));
     } else {
-      table.problem(key, criterion.error().code, "{}", criterion.error().message);
+      table.problem(key, criterion.error());
     }
   }
   return criteria;
@@ -116,12 +118,15 @@ void read_window(Table& table, Fault& fault) {
     const std::vector<double> range = table.numbers("from_s", {}, 2, config::kNotNegative);
     if (range.size() == 2) std::tie(fault.from_s, fault.from_latest_s) = std::pair(range[0], range[1]);
     if (fault.from_latest_s < fault.from_s)
-      table.problem("from_s", ErrorCode::BadParameter, "from_s = [earliest, latest] has its smaller number last");
+      table.problem("from_s", ErrorCode::BadParameter,
+                    {"from_s = [earliest, latest] has its smaller number last",
+                     "from_s = [primero, último] tiene el número menor al final"});
   } else {
     fault.from_s = table.number("from_s", 0, config::kNotNegative);
   }
   fault.to_s = table.number("to_s", fault.to_s, config::kPositive);
-  if (fault.to_s <= fault.from_s) table.problem("to_s", ErrorCode::BadParameter, "to_s is not after from_s");
+  if (fault.to_s <= fault.from_s)
+    table.problem("to_s", ErrorCode::BadParameter, {"to_s is not after from_s", "to_s no viene después de from_s"});
   fault.chance = table.number("chance", 1, config::Range{0, 1});
 }
 
@@ -129,7 +134,7 @@ FaultKind read_kind(Table& table) {
   const std::vector<std::string> names(kFaultNames.begin(), kFaultNames.end());
   table.asks("kind", {.form = config::Asked::Form::Choice, .required = true, .choices = names});
   if (!table.has("kind")) {
-    table.problem("kind", ErrorCode::MissingKey, "kind is missing: one of {}", join(names));
+    table.problem("kind", ErrorCode::MissingKey, {"kind is missing: one of {}", "falta kind: uno de {}"}, join(names));
   }
   return static_cast<FaultKind>(table.choice("kind", kFaultNames, 0));
 }

@@ -115,18 +115,23 @@ Result<std::vector<FaultCase>> fault_cases(const Prepared& prepared, bool pairs)
   std::vector<FaultCase> cases = {{"healthy", {}}};
   const std::vector<Fault> singles = single_faults(prepared);
   if (singles.size() >= kMaxFaultCases)
-    return fail(ErrorCode::TooLarge,
-                "the sensors that the controller uses allow {} single faults; the limit is {} cases: write those of "
-                "interest as [[fault]] in the experiment",
-                singles.size(), kMaxFaultCases);
+    return fail(
+        ErrorCode::TooLarge,
+        {"the sensors that the controller uses allow {} single faults; the limit is {} cases: write those of "
+         "interest as [[fault]] in the experiment",
+         "los sensores que usa el controlador admiten {} averías simples; el límite es de {} casos: escriba las que "
+         "interesen como [[fault]] en el experimento"},
+        singles.size(), kMaxFaultCases);
   for (const Fault& one : singles) cases.push_back({one.text(), {one}});
   for (std::size_t a = 0; pairs && a < singles.size(); ++a) {
     for (std::size_t b = a + 1; b < singles.size(); ++b) {
       if (overlap(singles[a].target, singles[b].target)) continue;
       if (cases.size() == kMaxFaultCases)
         return fail(ErrorCode::TooLarge,
-                    "{} single faults make more than {} cases in pairs: try them one by one (--faults matrix), and "
-                    "write the pairs of interest as [[fault]] in the experiment",
+                    {"{} single faults make more than {} cases in pairs: try them one by one (--faults matrix), and "
+                     "write the pairs of interest as [[fault]] in the experiment",
+                     "{} averías simples dan más de {} casos por parejas: pruébelas una por una (--faults matrix), y "
+                     "escriba las parejas que interesen como [[fault]] en el experimento"},
                     singles.size(), kMaxFaultCases);
       cases.push_back({singles[a].text() + " + " + singles[b].text(), {singles[a], singles[b]}});
     }

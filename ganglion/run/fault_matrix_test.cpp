@@ -78,9 +78,9 @@ TEST(FaultCases, OfVeryManySensorsAreRefused) {
   const auto pairs = run_fault_matrix(prepared, {}, true);
   ASSERT_FALSE(pairs);
   EXPECT_EQ(pairs.error().code, ErrorCode::TooLarge);
-  EXPECT_NE(pairs.error().message.find("more than 20000 cases in pairs: try them one by one (--faults matrix)"),
+  EXPECT_NE(pairs.error().what.en.find("more than 20000 cases in pairs: try them one by one (--faults matrix)"),
             std::string::npos)
-      << pairs.error().message;
+      << pairs.error().what.en;
 }
 
 TEST(FaultMatrix, CountsWhatEachCriterionOfSuccessSays) {

@@ -56,12 +56,14 @@ std::string intervention_json(const TimedIntervention& one) {
   return json.dump();
 }
 
-std::string intervention_text(const TimedIntervention& one) {
+Sentence intervention_text(const TimedIntervention& one) {
   if (const auto* goal = std::get_if<sim::SetGoal>(&one.what)) {
-    return fmt::format("goal of robot {} set at ({:.2f}, {:.2f})", goal->robot, goal->point.x, goal->point.y);
+    return say({"goal of robot {} set at ({:.2f}, {:.2f})", "objetivo del robot {} fijado en ({:.2f}, {:.2f})"},
+               goal->robot, goal->point.x, goal->point.y);
   }
   const auto& put = std::get<sim::PutMover>(one.what);
-  return fmt::format("\"{}\" put at ({:.2f}, {:.2f})", put.mover, put.point.x, put.point.y);
+  return say({"\"{}\" put at ({:.2f}, {:.2f})", "\"{}\" puesto en ({:.2f}, {:.2f})"}, put.mover, put.point.x,
+             put.point.y);
 }
 
 Result<std::vector<TimedIntervention>> interventions_of(const RunFile& run) {
@@ -71,8 +73,10 @@ Result<std::vector<TimedIntervention>> interventions_of(const RunFile& run) {
   for (const JsonMessage& message : topic->second.messages) {
     auto one = read(message.text);
     if (!one || (!list.empty() && one->tick < list.back().tick)) {
-      return fail(ErrorCode::Corrupt, "the run file's intervention {} at {} s cannot be made out", list.size() + 1,
-                  shortest(message.time_s));
+      return fail(ErrorCode::Corrupt,
+                  {"the run file's intervention {} at {} s cannot be made out",
+                   "no se entiende la intervención {} del archivo de la ejecución, en {} s"},
+                  list.size() + 1, shortest(message.time_s));
     }
     list.push_back(std::move(*one));
   }
@@ -87,8 +91,10 @@ Result<void> Interference::before(std::uint32_t tick) {
   while (next_ < planned_.size() && planned_[next_].tick <= tick) {
     const TimedIntervention& one = planned_[next_++];
     if (const auto done = reach(one.what); !done) {
-      return fail(done.error().code, "what was to be done before tick {} cannot be: {}", one.tick,
-                  done.error().message);
+      return fail(done.error().code,
+                  {"what was to be done before tick {} cannot be: {}",
+                   "lo que había que hacer antes del ciclo {} no se puede: {}"},
+                  one.tick, done.error().what);
     }
   }
   return {};
@@ -96,9 +102,12 @@ Result<void> Interference::before(std::uint32_t tick) {
 
 Result<sim::Intervened> Interference::reach(const sim::Intervention& what) {
   if (simulation_ == nullptr) {
-    return fail(ErrorCode::Unsupported,
-                "the robots are at the other end of a link; goals and obstacles can only be set in a world that is "
-                "simulated here");
+    return fail(
+        ErrorCode::Unsupported,
+        {"the robots are at the other end of a link; goals and obstacles can only be set in a world that is "
+         "simulated here",
+         "los robots están al otro extremo de un enlace; solo se pueden fijar objetivos y obstáculos en un mundo "
+         "simulado aquí"});
   }
   auto done = simulation_->intervene(what);
   if (!done) return done;

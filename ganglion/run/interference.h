@@ -25,7 +25,7 @@ inline constexpr std::string_view kInterventionTopic = "/interventions";
 inline constexpr std::string_view kInterventionSchema = "ganglion.Intervention";
 std::string intervention_json(const TimedIntervention& one);
 /// The same for people: "goal of robot 0 set at (1.25, 3.75)".
-std::string intervention_text(const TimedIntervention& one);
+Sentence intervention_text(const TimedIntervention& one);
 /// What was done to a recorded run, in order. Fails with Corrupt where it cannot be made out.
 Result<std::vector<TimedIntervention>> interventions_of(const RunFile& run);
 

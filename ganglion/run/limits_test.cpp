@@ -28,7 +28,7 @@ class Limits : public FolderTest {
     for (const Error& error : problems.sorted()) {
       if (error.code != ErrorCode::TooLarge) continue;
       EXPECT_EQ(error.place.file, (folder_ / name).string());
-      return error.message;
+      return error.what.en;
     }
     return "no complaint about size, but: " + problems.text().substr(0, 500);
   }
@@ -147,7 +147,7 @@ TEST_F(Limits, OfARunFilesMessages) {
   writer.write(channel, 6, 6, 0, "small");
   const auto closed = writer.close();
   ASSERT_FALSE(closed);
-  EXPECT_EQ(closed.error().message, "a message of 67108865 bytes at 5 ns was left out; the limit is 67108864");
+  EXPECT_EQ(closed.error().what.en, "a message of 67108865 bytes at 5 ns was left out; the limit is 67108864");
   EXPECT_TRUE(fs::exists(folder_ / "a.mcap"));
 }
 
@@ -157,7 +157,7 @@ std::string refusal(const fs::path& path) {
   if (read) return "none";
   EXPECT_EQ(read.error().code, ErrorCode::TooLarge);
   EXPECT_EQ(read.error().place.file, path.string());
-  return read.error().message;
+  return read.error().what.en;
 }
 
 TEST_F(Limits, OfARunFilesDefinitions) {

@@ -109,7 +109,7 @@ std::string digest(const Prepared& prepared) {
   const auto result = run(prepared, {.seed = 5});
   EXPECT_TRUE(result) << result.error().text();
   if (!result) return "none";
-  EXPECT_FALSE(result->link_lost) << result->link_lost->message;
+  EXPECT_FALSE(result->link_lost) << result->link_lost->text();
   return result->digest;
 }
 
@@ -191,7 +191,7 @@ TEST(LinkRun, GivesItsDigestAndAWholeFileThroughAFaultyLine) {
                                     *link::parse_line_faults("merge=1%,split=30%; fin=1%,rst=1%"),
                                     3,
                                     {}});
-  ASSERT_TRUE(proxy) << proxy.error().message;
+  ASSERT_TRUE(proxy) << proxy.error().what.en;
   const std::jthread thread(
       [&proxy](const std::stop_token& stop) { (*proxy)->serve([&stop] { return stop.stop_requested(); }); });
   const Prepared remote = prepared("nimrod", {sets[0], "application.address=" + (*proxy)->address().text});
@@ -224,7 +224,9 @@ TEST(LinkRun, LeavesAWholeFileWhenTheRobotGoesAway) {
   EXPECT_FALSE(result->success);
   const auto file = RunFile::read(options.run_file);
   ASSERT_TRUE(file) << file.error().text();
-  EXPECT_TRUE(file->outcome->reason.starts_with("link lost: ")) << file->outcome->reason;
+  const Sentence& reason = file->outcome->reason;
+  EXPECT_TRUE(reason.en.starts_with("link lost: ")) << reason.en;
+  EXPECT_TRUE(reason.es.starts_with("enlace perdido: ")) << reason.es;
   EXPECT_EQ(file->table("/robot0/signals")->rows(), 51u);
   ASSERT_NE(file->table("/link/signals"), nullptr);
   EXPECT_GT(file->table("/link/signals")->at(10, 0), 0);  // the round trip [s]

@@ -22,7 +22,9 @@ std::filesystem::path robot_named_by(const config::Value& controller, Problems& 
   config::Table table(controller, "", problems);
   for (const std::string& key : table.keys()) table.known(key);
   if (!table.has("robot")) {
-    table.problem("robot", ErrorCode::MissingKey, "robot is missing: name the robot.toml it is drawn for");
+    table.problem("robot", ErrorCode::MissingKey,
+                  {"robot is missing: name the robot.toml it is drawn for",
+                   "falta robot: nombre el robot.toml para el que está dibujado"});
   }
   return table.file("robot");
 }
@@ -32,7 +34,8 @@ std::shared_ptr<const sim::RobotModel> load_robot(const Experiment& experiment, 
   auto robot = sim::load_robot(experiment.files.robot, sim_kinds(), experiment.robot_overrides, problems);
   if (robot != nullptr && !robot->simulated() && !experiment.link.remote()) {
     problems.add({experiment.files.robot.string(), 1, 1}, ErrorCode::MissingKey,
-                 "describes a robot without [drive]: it cannot be simulated; where is it? Give application.address");
+                 {"describes a robot without [drive]: it cannot be simulated; where is it? Give application.address",
+                  "describe un robot sin [drive]: no se puede simular; ¿dónde está? Dé application.address"});
   }
   return robot;
 }

@@ -109,20 +109,24 @@ Result<Recording> Recording::start(const Prepared& prepared, const RunOptions& o
 Result<void> Recording::finish(RunResult& result) {
   if (!recorder_) return {};
   result.files.push_back(file_.string());
-  return recorder_->finish({result.digest, result.success, result.reason, result.reason_es, criterion_, result.measures,
+  return recorder_->finish({result.digest, result.success, result.reason, criterion_, result.measures,
                             result.component_digests, result.interventions});
 }
 
 Result<RecordedInputs> unpack_inputs(const RunFile& run, const fs::path& folder) {
   const mcap::Attachment* attached = run.attachment(kManifest);
   const Json manifest = attached != nullptr ? Json::parse(attached->bytes, nullptr, false) : Json();
-  if (!manifest.is_object()) return fail(ErrorCode::Corrupt, "the run file holds no list of its input files");
+  if (!manifest.is_object())
+    return fail(ErrorCode::Corrupt, {"the run file holds no list of its input files",
+                                     "el archivo de la ejecución no contiene la lista de sus archivos de entrada"});
   RecordedInputs inputs;
   for (const mcap::Attachment& attachment : run.attachments) {
     if (!attachment.name.starts_with("input/")) continue;
     const fs::path name = attachment.name.substr(6);
     if (!stays_inside(name)) {
-      return fail(ErrorCode::Corrupt, "an input file wants to be written to \"{}\", outside of its folder",
+      return fail(ErrorCode::Corrupt,
+                  {"an input file wants to be written to \"{}\", outside of its folder",
+                   "un archivo de entrada quiere escribirse en \"{}\", fuera de su carpeta"},
                   name.string());
     }
     if (auto written = write_file(folder / name, attachment.bytes); !written) {

@@ -35,6 +35,13 @@ class TemporaryFolder {
   fs::path path_;
 };
 
+/// Interrupted, cut, or its link was lost: it did not come to an end of its own.
+bool ended_early(const RunFile& run) {
+  if (!run.outcome) return true;
+  const std::string& reason = run.outcome->reason.en;
+  return reason.starts_with(kInterrupted.in(Language::English)) || reason.starts_with(kLinkLost.in(Language::English));
+}
+
 /// Notes the first row and column in which two recordings of one robot differ.
 void compare(const SignalTable& recorded, const SignalTable& repeated, ReplayResult& result) {
   const std::size_t rows = std::min(recorded.rows(), repeated.rows());
@@ -82,9 +89,7 @@ Result<ReplayResult> replay_run(const fs::path& run_file) {
   if (!interventions) return tl::unexpected<Error>(interventions.error());
   options.interventions = std::move(*interventions);
   options.run_file = folder.path() / "repeated.mcap";
-  const bool short_run = !recorded->outcome || recorded->outcome->reason.starts_with(kInterrupted) ||
-                         recorded->outcome->reason.starts_with(kLinkLost);
-  if (short_run && !recorded->tables.empty()) {  // only as far as it goes
+  if (ended_early(*recorded) && !recorded->tables.empty()) {  // only as far as it goes
     const std::size_t rows = recorded->tables.front().rows();
     options.progress = [rows, done = std::size_t{0}](double) mutable { return ++done < rows; };
   }

@@ -44,10 +44,15 @@ std::vector<Feed> feeds_of(const ControllerModel& model, const RobotDescription&
   for (std::size_t i = 0; i < csv.columns.size(); ++i) {
     const std::string& name = csv.columns[i];
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    problems.add({file, 1, 1}, ErrorCode::UnknownKey, "column \"{}\" is no sensation of the controller{}", name,
-                 suggestion(name, known));
+    problems.add(Error{ErrorCode::UnknownKey,
+                       say({"column \"{}\" is no sensation of the controller{}",
+                            "la columna \"{}\" no es una sensación del controlador{}"},
+                           name, suggestion(name, known)),
+                       {file, 1, 1},
+                       {.found = name, .choices = known}});
   }
-  if (!csv.column("time_s")) problems.add({file, 1, 1}, ErrorCode::MissingKey, "the column time_s is missing");
+  if (!csv.column("time_s"))
+    problems.add({file, 1, 1}, ErrorCode::MissingKey, {"the column time_s is missing", "falta la columna time_s"});
   return feeds;
 }
 
@@ -136,7 +141,8 @@ Result<std::string> replay_open_loop(const std::filesystem::path& path, const st
     return bad();
   }
   ControllerModel model = read_controller(*root, controller_kinds(), problems);
-  if (model.robot.empty()) problems.add({path.string(), 1, 1}, ErrorCode::MissingKey, "robot is missing");
+  if (model.robot.empty())
+    problems.add({path.string(), 1, 1}, ErrorCode::MissingKey, {"robot is missing", "falta robot"});
   if (!problems.empty()) return bad();
   const auto robot = sim::load_description(model.robot, sim_kinds(), {}, problems);
   const auto csv = read_csv(inputs);

@@ -211,25 +211,18 @@ class Judge {
 };
 
 void judge(const Experiment& experiment, RunResult& result) {
-  result.success = result.reason != kInterrupted && !result.link_lost;
+  result.success = result.reason.en != kInterrupted.in(Language::English) && !result.link_lost;
   if (result.interventions > 0) {
-    result.reason += fmt::format("; interventions: {}", result.interventions);
-    result.reason_es += fmt::format("; intervenciones: {}", result.interventions);
+    result.reason += say({"; interventions: {}", "; intervenciones: {}"}, result.interventions);
   }
   for (const Criterion& criterion : experiment.success) {
     if (criterion.met(result.measures)) continue;
     result.success = false;
     const double found = measure(result.measures, criterion.name);
-    const bool known = !std::isnan(found);
-    const std::string about = fmt::format("{:.4g}", found);  // a sentence; the measures have all digits
-    result.reason += fmt::format("; not met: {} ({})", criterion.text(), known ? about : "not available");
-    result.reason_es += fmt::format("; no se cumple: {} ({})", criterion.text(), known ? about : "no disponible");
+    const Sentence about = std::isnan(found) ? say({"not available", "no disponible"})
+                                             : say({"{:.4g}", "{:.4g}"}, found);  // the measures have all digits
+    result.reason += say({"; not met: {} ({})", "; no se cumple: {} ({})"}, criterion.text(), about);
   }
-}
-
-void ended(RunResult& result, std::string_view english, std::string_view spanish) {
-  result.reason = english;
-  result.reason_es = spanish;
 }
 
 Contacts contacts_of(const Course& course, int robots) {
@@ -274,9 +267,9 @@ Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
 
   RunResult result;
   result.seed = options.seed;
-  ended(result, "duration over", "se acabó el tiempo");
+  result.reason = say({"duration over", "se acabó el tiempo"});
   const bool begins = !options.armed || options.armed();
-  if (!begins) ended(result, kInterrupted, "interrumpida");
+  if (!begins) result.reason = say({"{}", "{}"}, kInterrupted);
   const Pace pace(options.pace);
   const std::uint32_t ticks = begins ? ticks_of(prepared) : 0;
   std::size_t goals = 0;
@@ -286,7 +279,7 @@ Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
     course->act();
     if (const Error* lost = course->robots().application().failure()) {
       result.link_lost = *lost;
-      ended(result, fmt::format("{}: {}", kLinkLost, lost->message), "enlace perdido: " + lost->message);
+      result.reason = say({"{}: {}", "{}: {}"}, kLinkLost, lost->what);
       break;
     }
     const double time_s = (tick + 1) * prepared.step_s;
@@ -296,13 +289,13 @@ Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
       options.learned(course->controllers().front()->experience());
     }
     if (const std::string stop = measured.stopped(*course); !stop.empty()) {
-      ended(result, "stopped: " + stop, "parada: " + stop);
+      result.reason = say({"stopped: {}", "parada: {}"}, stop);
       break;
     }
     if (auto done = interference.before(tick + 1); !done) return tl::unexpected<Error>(done.error());
     const bool wanted = !options.progress || options.progress((tick + 1.0) / ticks);
     if (!wanted || (options.stop && options.stop())) {
-      ended(result, kInterrupted, "interrumpida");
+      result.reason = say({"{}", "{}"}, kInterrupted);
       break;
     }
     if (!course->robots().free_running()) pace.wait_until(time_s);

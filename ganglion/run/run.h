@@ -45,9 +45,8 @@ struct Contacts {
 /// What came of one run.
 struct RunResult {
   std::uint64_t seed = 0;
-  bool success = false;   ///< Never of a run that was interrupted.
-  std::string reason;     ///< "duration over", and the criteria that were not met.
-  std::string reason_es;  ///< The same in Spanish.
+  bool success = false;  ///< Never of a run that was interrupted.
+  Sentence reason;       ///< "duration over", and the criteria that were not met.
   std::string digest;
   /// Of each component alone, "robot0/escape", and of each robot's way, "robot0/@truth"; of the first kDigestedRobots.
   std::vector<std::pair<std::string, std::string>> component_digests;
@@ -66,9 +65,9 @@ struct RunResult {
 Result<RunResult> run(const Prepared& prepared, const RunOptions& options);
 
 /// The reason of a run that `progress` or `stop` ended, before the criteria it did not meet.
-inline constexpr std::string_view kInterrupted = "interrupted";
+inline constexpr Text kInterrupted{"interrupted", "interrumpida"};
 /// The same of one whose robots could not be reached any more; what happened follows.
-inline constexpr std::string_view kLinkLost = "link lost";
+inline constexpr Text kLinkLost{"link lost", "enlace perdido"};
 
 /// Robots whose components' digests a run tells one by one: enough to compare by, and no burden on a swarm's run file.
 inline constexpr std::uint32_t kDigestedRobots = 100;

@@ -67,9 +67,12 @@ Result<RunRobots> RunRobots::reach(const Prepared& prepared, const RunOptions& o
   auto remote = link::RemoteApplication::connect(link::make_line(*parsed), prepared.robot->description,
                                                  prepared.experiment.robots, config);
   if (!remote && robots.program_ != nullptr) {
-    return fail(ErrorCode::LinkLost, "{} {} and last said: {} (all of it is in {}); {}", choice.program.front(),
-                robots.program_->ended() ? "ended" : "runs", robots.program_->last_words(),
-                robots.program_->output().string(), remote.error().message);
+    const Text state = robots.program_->ended() ? Text{"ended", "terminó"} : Text{"runs", "sigue"};
+    return fail(
+        ErrorCode::LinkLost,
+        {"{} {} and last said: {} (all of it is in {}); {}", "{} {} y lo último que dijo es: {} (todo está en {}); {}"},
+        choice.program.front(), state, robots.program_->last_words(), robots.program_->output().string(),
+        remote.error().what);
   }
   if (!remote) return tl::unexpected<Error>(remote.error());
   robots.remote_ = remote->get();

@@ -6,6 +6,7 @@
 
 #include "ganglion/base/hash.h"
 #include "ganglion/base/text.h"
+#include "ganglion/link/wire/words.h"
 #include "ganglion/run/exhibit_writer.h"
 #include "ganglion/sim/world/scene.h"
 
@@ -89,6 +90,46 @@ double cell_of(const ControllerModel& model) {
   return 0;
 }
 
+/// As the log says it; English has its name_of().
+Text words_of(ReasonCode code) noexcept {
+  switch (code) {
+    case ReasonCode::None:
+      return {"none", "ninguna"};
+    case ReasonCode::Unreachable:
+      return {"unreachable", "inalcanzable"};
+    case ReasonCode::Trapped:
+      return {"trapped", "atrapado"};
+    case ReasonCode::OutsideMap:
+      return {"outside_map", "fuera del mapa"};
+    case ReasonCode::BadRequest:
+      return {"bad_request", "solicitud imposible"};
+    case ReasonCode::NoReading:
+      return {"no_reading", "sin lectura"};
+    case ReasonCode::AttemptsExhausted:
+      return {"attempts_exhausted", "intentos agotados"};
+    case ReasonCode::Preempted:
+      return {"preempted", "reemplazada"};
+  }
+  return Text::same(name_of(code));
+}
+
+/// The same of a goal; of one that is open that it was set.
+Text words_of(sim::GoalOutcome outcome) noexcept {
+  switch (outcome) {
+    case sim::GoalOutcome::Open:
+      return {"set", "fijado"};
+    case sim::GoalOutcome::Reached:
+      return {"reached", "alcanzado"};
+    case sim::GoalOutcome::Withdrawn:
+      return {"withdrawn", "retirado"};
+    case sim::GoalOutcome::TimedOut:
+      return {"timed_out", "fuera de tiempo"};
+    case sim::GoalOutcome::Replaced:
+      return {"replaced", "reemplazado"};
+  }
+  return Text::same(name_of(outcome));
+}
+
 std::optional<double> goal_cell_of(const sim::RobotModel& robot) {
   for (const sim::SensorModel& sensor : robot.sensors) {
     if (sensor.kind->descriptor.parameter("cell_m") != nullptr && sensor.kind->descriptor.name == "Trainer") {
@@ -119,7 +160,7 @@ RunWriter::RunWriter(RunSink& recorder, const Experiment& experiment, const Cont
   if (remote_ == nullptr) return;
   link_table_ = recorder.add_table("/link/signals", kLinkColumns);
   for (const link::Difference& one : remote_->differences()) {
-    log(0, kWarning, "link", fmt::format("{}{}{}", one.channel, one.channel.empty() ? "" : ": ", one.text));
+    log(0, kWarning, "link", link::text_of(one));
   }
 }
 
@@ -189,7 +230,7 @@ void RunWriter::write_link(std::uint32_t tick, double time_s) {
   recorder_.write_row(link_table_, tick, time_s, row);
   for (const link::wire::Event& event : remote_->take_events()) {
     const int level = kInfo + std::clamp(static_cast<int>(event.level()), 0, 2);
-    log(time_s, level, "robot", printable(event.text(), 500));
+    log(time_s, level, "robot", link::read_words(event));
   }
 }
 
@@ -212,12 +253,13 @@ void RunWriter::write_movers(double time_s) {
   recorder_.write_json("/movers", "ganglion.Movers", time_s, Json{{"movers", movers}}.dump());
 }
 
-void RunWriter::log(double time_s, int level, const std::string& name, const std::string& message) {
+void RunWriter::log(double time_s, int level, const std::string& name, const Sentence& message) {
   const auto seconds = static_cast<long>(time_s);
   const Json json = {
       {"timestamp", {{"sec", seconds}, {"nsec", static_cast<long>((time_s - static_cast<double>(seconds)) * 1e9)}}},
       {"level", level},
-      {"message", message},
+      {"message", message.en},
+      {"message_es", message.es},
       {"name", name}};
   recorder_.write_json("/log", "foxglove.Log", time_s, json.dump());
 }
@@ -231,8 +273,8 @@ void RunWriter::write_requests(int robot, double time_s) {
     const auto now = static_cast<std::uint8_t>(request->status);
     if (now != before && request->status == RequestStatus::Withdrawn) {
       log(time_s, kWarning, controller.id(i),
-          fmt::format("withdrawn: {} ({:g}, {:g})", name_of(request->reason.code), request->reason.first,
-                      request->reason.second));
+          say({"withdrawn: {} ({:g}, {:g})", "retirada: {} ({:g}, {:g})"}, words_of(request->reason.code),
+              request->reason.first, request->reason.second));
     }
     before = now;
   }
@@ -252,8 +294,7 @@ void RunWriter::write_goals(int robot, double time_s) {
     } else {
       continue;
     }
-    const std::string state =
-        goals[g].outcome == sim::GoalOutcome::Open ? "set" : std::string(name_of(goals[g].outcome));
+    const std::string_view state = goals[g].outcome == sim::GoalOutcome::Open ? "set" : name_of(goals[g].outcome);
     const Json json = {{"index", g},
                        {"x_m", (goals[g].goal.column + 0.5) * goal_cell_m_},
                        {"y_m", (goals[g].goal.row + 0.5) * goal_cell_m_},
@@ -261,7 +302,8 @@ void RunWriter::write_goals(int robot, double time_s) {
                        {"reason", name_of(goals[g].reason)}};
     recorder_.write_json(fmt::format("/robot{}/goals", robot), "ganglion.Goal", time_s, json.dump());
     log(time_s, kInfo, "trainer",
-        fmt::format("goal {} at cell {}, {}: {}", g + 1, goals[g].goal.column, goals[g].goal.row, state));
+        say({"goal {} at cell {}, {}: {}", "objetivo {} en la celda {}, {}: {}"}, g + 1, goals[g].goal.column,
+            goals[g].goal.row, words_of(goals[g].outcome)));
   }
 }
 

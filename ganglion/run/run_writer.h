@@ -41,7 +41,7 @@ class RunWriter {
   void write_requests(int robot, double time_s);
   void write_goals(int robot, double time_s);
   void write_exhibits(int robot, double time_s);
-  void log(double time_s, int level, const std::string& name, const std::string& message);
+  void log(double time_s, int level, const std::string& name, const Sentence& message);
 
   RunSink& recorder_;
   const sim::Witness* witness_;      ///< Null where nobody knows the truth.

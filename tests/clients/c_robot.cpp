@@ -61,7 +61,7 @@ CRobot::CRobot(Options options)
   ganglion_robot_connected(&robot_);
 }
 
-void CRobot::written(const Result<void>& result) { EXPECT_TRUE(result) << result.error().message; }
+void CRobot::written(const Result<void>& result) { EXPECT_TRUE(result) << result.error().what.en; }
 
 void CRobot::receive(std::string_view bytes) {
   for (const char byte : bytes) {
@@ -77,7 +77,7 @@ FrameKind CRobot::next() {
   EXPECT_EQ(reader_.take_damaged(), 0u);
   if (!payload || !*payload) return FrameKind::Unknown;
   const auto kind = decode(**payload, Encoding::Binary, in);
-  EXPECT_TRUE(kind) << kind.error().message;
+  EXPECT_TRUE(kind) << kind.error().what.en;
   return kind.value_or(FrameKind::Unknown);
 }
 

@@ -43,7 +43,7 @@ TEST(CRobot, DescribesItselfAsItsFileDoes) {
   EXPECT_TRUE(robot.in.describe.lock_step());
   EXPECT_TRUE(robot.in.describe.free_running());
   const auto description = read_description(robot.in.describe);
-  ASSERT_TRUE(description) << description.error().message;
+  ASSERT_TRUE(description) << description.error().what.en;
   EXPECT_EQ(description->name, "Bench robot");
   EXPECT_EQ(description->tick_s, 0.1);
   EXPECT_EQ(description->width_m, 0.2);

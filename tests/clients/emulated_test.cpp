@@ -43,7 +43,7 @@ class CutLine final : public link::Line {
   Result<void> cut() {
     if (!cut_ || done_) return {};
     line_->close();
-    return fail(ErrorCode::LinkLost, "cut");
+    return fail(ErrorCode::LinkLost, {"cut", "cortada"});
   }
   std::unique_ptr<Line> line_;
   const bool& cut_;
@@ -65,7 +65,7 @@ class EmulatedRobot : public FolderTest {
         {GANGLION_QEMU, "-M", "microbit", "-display", "none", "-monitor", "none", "-icount", "shift=6", "-serial",
          "tcp:127.0.0.1:{port},server=on,wait=off,nodelay=on", "-kernel", GANGLION_NIMROD_ELF},
         folder_, *port, folder_ / "qemu.log");
-    ASSERT_TRUE(board) << board.error().message;
+    ASSERT_TRUE(board) << board.error().what.en;
     board_ = std::make_unique<link::Program>(std::move(*board));
     address_ = fmt::format("serial+tcp://127.0.0.1:{}", *port);
     Problems problems;
@@ -79,13 +79,13 @@ class EmulatedRobot : public FolderTest {
     config.reach_s = kReach_s;
     auto line = std::make_unique<CutLine>(link::make_line(*link::parse_address(address_)), cut_, connections_);
     auto made = link::RemoteApplication::connect(std::move(line), prepared_->robot->description, 1, config);
-    EXPECT_TRUE(made) << made.error().message << board_->last_words();
+    EXPECT_TRUE(made) << made.error().what.en << board_->last_words().en;
     return made ? std::move(*made) : nullptr;
   }
   static std::vector<double> sense(link::RemoteApplication& robot) {
     std::vector<SenseFrame> frames = {make_sense_frame(robot.description())};
     robot.sense(frames);
-    EXPECT_EQ(robot.failure(), nullptr) << robot.failure()->message;
+    EXPECT_EQ(robot.failure(), nullptr) << robot.failure()->what.en;
     return frames.front().values;
   }
 
@@ -99,8 +99,8 @@ class EmulatedRobot : public FolderTest {
 TEST_F(EmulatedRobot, CrossesItsCorridorUnderNimrodsController) {
   ASSERT_NE(connect(link::wire::LOCK_STEP), nullptr);  // the board has begun
   const auto result = run(*prepared_, {.seed = 1});
-  ASSERT_TRUE(result) << result.error().message;
-  EXPECT_TRUE(result->success) << result->reason;
+  ASSERT_TRUE(result) << result.error().what.en;
+  EXPECT_TRUE(result->success) << result->reason.en;
   const auto watcher = connect(link::wire::LOCK_STEP);
   ASSERT_NE(watcher, nullptr);
   const std::vector<double> values = sense(*watcher);

@@ -27,7 +27,7 @@ class Endings : public FolderTest {
     const auto run = RunFile::read(file);  // Recover::No: whole
     ASSERT_TRUE(run) << run.error().text();
     ASSERT_TRUE(run->outcome);
-    EXPECT_TRUE(run->outcome->reason.starts_with("interrupted")) << run->outcome->reason;
+    EXPECT_TRUE(run->outcome->reason.en.starts_with("interrupted")) << run->outcome->reason.en;
     EXPECT_FALSE(run->outcome->success);
     EXPECT_EQ(run->outcome->digest.size(), 16u);
     ASSERT_FALSE(run->tables.empty());

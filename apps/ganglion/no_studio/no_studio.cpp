@@ -8,7 +8,8 @@ namespace {
 
 Error missing() {
   return {ErrorCode::Unsupported,
-          "this program was built without the studio; \"./dev studio\" builds it in and opens it"};
+          say({"this program was built without the studio; \"./dev studio\" builds it in and opens it",
+               "este programa se compiló sin el estudio; \"./dev studio\" lo incluye y lo abre"})};
 }
 
 }  // namespace

@@ -74,7 +74,9 @@ void ServedRun::conclude(const RunResult& result) {
 }
 
 void ServedRun::serve_until_interrupted() const {
-  fmt::print(stderr, "The run is over; the studio goes on showing it until ctrl-C: {}\n", server_->url());
+  note(say({"The run is over; the studio goes on showing it until ctrl-C: {}",
+            "La ejecución terminó; el estudio la sigue mostrando hasta ctrl-C: {}"},
+           server_->url()));
   while (!interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
 }
 

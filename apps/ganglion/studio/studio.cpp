@@ -34,7 +34,10 @@ Result<void> read_listen(const std::string& text, studio::ServerOptions& options
   if (colon != std::string::npos && !bare_v6 && text.back() != ']') {
     const auto port = parse_number(std::string_view(text).substr(colon + 1));
     if (!port || *port < 0 || *port > 65535 || *port != static_cast<int>(*port)) {
-      return fail(ErrorCode::BadParameter, "--listen {}: write ADDRESS:PORT, as in 127.0.0.1:8745", text);
+      return fail(ErrorCode::BadParameter,
+                  {"--listen {}: write ADDRESS:PORT, as in 127.0.0.1:8745",
+                   "--listen {}: escriba DIRECCIÓN:PUERTO, como 127.0.0.1:8745"},
+                  text);
     }
     options.port = static_cast<std::uint16_t>(*port);
     options.address = text.substr(0, colon);
@@ -57,7 +60,8 @@ int serve(const StudioArguments& arguments) {
   if (!server) return complain(server.error());
   announce_studio(**server, !arguments.no_browser);
   if (!arguments.allow_hosts.empty()) {
-    fmt::print(stderr, "Warning: other machines can reach this server; whoever has the URL can edit and run.\n");
+    note(say({"Warning: other machines can reach this server; whoever has the URL can edit and run.",
+              "Aviso: otras máquinas pueden llegar a este servidor; quien tenga la URL puede editar y ejecutar."}));
   }
   catch_interrupts();
   while (!interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
@@ -76,7 +80,8 @@ void announce_studio(const studio::Server& server, bool browser) {
   char* words[] = {opener.data(), address.data(), nullptr};
   pid_t child = 0;
   if (::posix_spawnp(&child, "xdg-open", nullptr, nullptr, words, environ) != 0) {
-    fmt::print(stderr, "No browser could be opened: open the URL above.\n");
+    note(say({"No browser could be opened: open the URL above.",
+              "No se pudo abrir ningún navegador: abra la URL de arriba."}));
   }
 }
 

@@ -162,7 +162,8 @@ Result<AvoidObstacleConfig> AvoidObstacleConfig::from(const Parameters& paramete
   config.one_sonar_share = parameters.real("one_sonar_share");
   if (!(config.stop_range_m < config.commit_range_m && config.commit_range_m <= config.trigger_range_m)) {
     return fail(ErrorCode::BadParameter,
-                "must be stop_range_m < commit_range_m <= trigger_range_m, are {}, {}, {}: it could come to a stand",
+                {"must be stop_range_m < commit_range_m <= trigger_range_m, are {}, {}, {}: it could come to a stand",
+                 "debe ser stop_range_m < commit_range_m <= trigger_range_m, son {}, {}, {}: podría quedarse parado"},
                 config.stop_range_m, config.commit_range_m, config.trigger_range_m);
   }
   return config;

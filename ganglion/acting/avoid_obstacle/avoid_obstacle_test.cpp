@@ -201,8 +201,10 @@ TEST(AvoidObstacle, RefusesRangesOutOfOrder) {
   const auto made =
       avoid_obstacle_kind.make(testing::settings(avoid_obstacle_kind.descriptor, {{"stop_range_m", 0.3}}));
   ASSERT_FALSE(made);
-  EXPECT_EQ(made.error().message,
+  EXPECT_EQ(made.error().what.en,
             "must be stop_range_m < commit_range_m <= trigger_range_m, are 0.3, 0.25, 0.4: it could come to a stand");
+  EXPECT_EQ(made.error().what.es,
+            "debe ser stop_range_m < commit_range_m <= trigger_range_m, son 0.3, 0.25, 0.4: podría quedarse parado");
 }
 
 TEST(AvoidObstacle, HasGoodHabitsOnAnyReadings) {

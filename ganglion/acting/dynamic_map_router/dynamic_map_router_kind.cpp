@@ -185,7 +185,8 @@ Result<std::unique_ptr<ActingModule>> make(const Parameters& parameters) {
   const auto ticks = [&](std::string_view name) { return static_cast<std::uint32_t>(parameters.integer(name)); };
   const int turn_deg = parameters.integer("max_turn_deg");
   if (turn_deg != 45 && turn_deg != 90 && turn_deg != 180) {
-    return fail(ErrorCode::BadParameter, "max_turn_deg is {}, must be 45, 90 or 180", turn_deg);
+    return fail(ErrorCode::BadParameter,
+                {"max_turn_deg is {}, must be 45, 90 or 180", "max_turn_deg es {}, debe ser 45, 90 o 180"}, turn_deg);
   }
   const DynamicMapRouterConfig config{
       .cell_m = parameters.real("cell_m"),

@@ -217,7 +217,7 @@ TEST(Escape, RefusesParametersThatTheListingFixes) {
       escape_kind.make(testing::settings(escape_kind.descriptor, {{"preset", "listing"}, {"trigger_range_m", 0.2}}));
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().code, ErrorCode::BadParameter);
-  EXPECT_EQ(made.error().message,
+  EXPECT_EQ(made.error().what.en,
             "preset \"listing\" fixes trigger_range_m: leave trigger_range_m = 0.2 out, or take preset = "
             "\"recommended\"");
 }

@@ -39,8 +39,9 @@ inline Result<void> check_listing(const Parameters& parameters) {
         descriptor.type == ParameterType::Real ? parameters.real(descriptor.name) : parameters.integer(descriptor.name);
     if (value == descriptor.preset) continue;
     return fail(ErrorCode::BadParameter,
-                "preset \"listing\" fixes {0}: leave {0} = {1} out, or take preset = \"recommended\"", descriptor.name,
-                value);
+                {"preset \"listing\" fixes {0}: leave {0} = {1} out, or take preset = \"recommended\"",
+                 "preset \"listing\" fija {0}: quite {0} = {1}, o use preset = \"recommended\""},
+                descriptor.name, value);
   }
   return {};
 }

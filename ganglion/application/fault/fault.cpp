@@ -61,27 +61,40 @@ Result<Signals> signals_named(const std::string& target, const Fault& fault, con
   Signals signals = sensations_named(target, robot);
   if (signals.values.empty()) signals = commands_named(target, robot);
   if (!signals.values.empty()) return signals;
-  return fail_at(fault.place, ErrorCode::UnknownKey, "\"{}\" is no sensor, channel or command of the robot{}", target,
-                 suggestion(target, known_targets(robot)));
+  auto targets = known_targets(robot);
+  Sentence what = say(
+      {"\"{}\" is no sensor, channel or command of the robot{}", "\"{}\" no es un sensor, canal ni mando del robot{}"},
+      target, suggestion(target, targets));
+  return tl::unexpected<Error>(
+      Error{ErrorCode::UnknownKey, std::move(what), fault.place, {.found = target, .choices = std::move(targets)}});
 }
 
 /// What is wrong with the amount, or "".
-std::string_view complaint_on(const Fault& fault) {
+Text complaint_on(const Fault& fault) {
+  constexpr Text kNone{"", ""};
   const double a = fault.amount;
-  if (!std::isfinite(a)) return "amount must be a finite number";
+  if (!std::isfinite(a)) return {"amount must be a finite number", "amount debe ser un número finito"};
   switch (fault.kind) {
     case FaultKind::Noisy:
-      return a > 0 ? "" : "amount is the noise's standard deviation, must be > 0";
+      return a > 0 ? kNone
+                   : Text{"amount is the noise's standard deviation, must be > 0",
+                          "amount es la desviación típica del ruido, debe ser > 0"};
     case FaultKind::Late:
-      return a > 0 && a <= 60 ? "" : "amount is the delay in seconds, must be > 0 and at most 60";
+      return a > 0 && a <= 60 ? kNone
+                              : Text{"amount is the delay in seconds, must be > 0 and at most 60",
+                                     "amount es el retraso en segundos, debe ser > 0 y como máximo 60"};
     case FaultKind::Weak:
-      return a > 0 && a <= 1 ? "" : "amount is the share that is lost, must be > 0 and at most 1";
+      return a > 0 && a <= 1 ? kNone
+                             : Text{"amount is the share that is lost, must be > 0 and at most 1",
+                                    "amount es la parte que se pierde, debe ser > 0 y como máximo 1"};
     case FaultKind::Lost:
-      return a > 0 && a <= 1 ? "" : "amount is a probability, must be > 0 and at most 1";
+      return a > 0 && a <= 1 ? kNone
+                             : Text{"amount is a probability, must be > 0 and at most 1",
+                                    "amount es una probabilidad, debe ser > 0 y como máximo 1"};
     case FaultKind::Biased:
-      return a != 0 ? "" : "amount is what is added, must not be 0";
+      return a != 0 ? kNone : Text{"amount is what is added, must not be 0", "amount es lo que se suma, no debe ser 0"};
     default:
-      return "";
+      return kNone;
   }
 }
 
@@ -94,19 +107,23 @@ std::string Fault::text() const {
 }
 
 Result<FaultSite> site_of(const Fault& fault, const RobotDescription& robot) {
-  if (const std::string_view complaint = complaint_on(fault); !complaint.empty())
-    return fail_at(fault.place, ErrorCode::BadParameter, "{}", complaint);
+  if (const Text complaint = complaint_on(fault); !complaint.empty())
+    return fail_at(fault.place, ErrorCode::BadParameter, {"{}", "{}"}, complaint);
   auto signals = signals_named(fault.target, fault, robot);
   if (!signals) return tl::unexpected<Error>(signals.error());
   if (fault.kind == FaultKind::Weak && !signals->commands)
-    return fail_at(fault.place, ErrorCode::BadParameter, "only commands grow weak; \"{}\" is a sensation",
-                   fault.target);
+    return fail_at(
+        fault.place, ErrorCode::BadParameter,
+        {"only commands grow weak; \"{}\" is a sensation", "solo los mandos se debilitan; \"{}\" es una sensación"},
+        fault.target);
   FaultSite site{signals->commands, std::move(signals->values), std::move(signals->channels), {}};
   if (fault.kind != FaultKind::Swapped) return site;
   auto others = signals_named(fault.with, fault, robot);
   if (!others) return tl::unexpected<Error>(others.error());
   if (others->commands != site.commands || others->values.size() != site.values.size() || others->values == site.values)
-    return fail_at(fault.place, ErrorCode::BadParameter, "\"{}\" and \"{}\" cannot be swapped: they differ in shape",
+    return fail_at(fault.place, ErrorCode::BadParameter,
+                   {"\"{}\" and \"{}\" cannot be swapped: they differ in shape",
+                    "\"{}\" y \"{}\" no se pueden intercambiar: difieren en forma"},
                    fault.target, fault.with);
   site.with_values = std::move(others->values);
   return site;

@@ -144,7 +144,8 @@ Result<std::vector<std::shared_ptr<const FaultPlan>>> plan_faults(const std::vec
                                                                   double step_s) {
   expects(step_s > 0);
   if (faults.size() > kMaxFaults)
-    return fail_at(faults[kMaxFaults].place, ErrorCode::TooLarge, "there are {} faults; the limit is {}", faults.size(),
+    return fail_at(faults[kMaxFaults].place, ErrorCode::TooLarge,
+                   {"there are {} faults; the limit is {}", "hay {} averías; el límite es {}"}, faults.size(),
                    kMaxFaults);
   std::vector<std::shared_ptr<const FaultPlan>> plans;
   double bytes = 0;
@@ -155,8 +156,10 @@ Result<std::vector<std::shared_ptr<const FaultPlan>>> plan_faults(const std::vec
     bytes += plans.back()->bytes_each() * robots;
     if (bytes > kMaxFaultBytes)
       return fail_at(fault.place, ErrorCode::TooLarge,
-                     "up to this one the faults of {} robot{} remember {:.0f} MiB; the limit is {:.0f}: take shorter "
-                     "delays, fewer faults or fewer robots",
+                     {"up to this one the faults of {} robot{} remember {:.0f} MiB; the limit is {:.0f}: take shorter "
+                      "delays, fewer faults or fewer robots",
+                      "hasta esta, las averías de {} robot{} recuerdan {:.0f} MiB; el límite es {:.0f}: use retrasos "
+                      "más cortos, menos averías o menos robots"},
                      robots, robots == 1 ? "" : "s", bytes / (1 << 20), kMaxFaultBytes / (1 << 20));
   }
   return plans;

@@ -196,7 +196,7 @@ TEST(FaultyApplication, RefusesDelaysThatTakeTooMuchMemory) {
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::TooLarge);
   EXPECT_EQ(refused.error().place, late.place);
-  EXPECT_EQ(refused.error().message,
+  EXPECT_EQ(refused.error().what.en,
             "up to this one the faults of 1 robot remember 2289 MiB; the limit is 256: take shorter delays, fewer "
             "faults or fewer robots");
   EXPECT_TRUE(FaultyApplication::make(counter, {late}, 1e-6));
@@ -216,6 +216,11 @@ TEST(FaultSite, SaysWhatIsWrongWithAFault) {
   swapped.with = "frames";
   EXPECT_EQ(complaint(swapped), "\"a\" and \"frames\" cannot be swapped: they differ in shape");
   EXPECT_EQ(complaint(fault("frames", FaultKind::Dead)), "none");
+  const auto unknown = site_of(fault("compas", FaultKind::Dead), counter.description());
+  ASSERT_FALSE(unknown);
+  EXPECT_EQ(unknown.error().what.es, "\"compas\" no es un sensor, canal ni mando del robot; ¿quiso decir \"compass\"?");
+  EXPECT_EQ(unknown.error().subject.found, "compas");
+  EXPECT_FALSE(unknown.error().subject.choices.empty());
 }
 
 }  // namespace

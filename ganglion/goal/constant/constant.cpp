@@ -9,11 +9,12 @@ namespace ganglion {
 
 Result<std::unique_ptr<ConstantGoal>> ConstantGoal::make(const ConstantGoalConfig& config) {
   if (config.value.empty() || config.value.size() > kMaxCommandValues) {
-    return fail(ErrorCode::BadParameter, "value has {} numbers, must have 1 to {}", config.value.size(),
-                kMaxCommandValues);
+    return fail(ErrorCode::BadParameter,
+                {"value has {} numbers, must have 1 to {}", "value tiene {} números, debe tener de 1 a {}"},
+                config.value.size(), kMaxCommandValues);
   }
   if (!std::all_of(config.value.begin(), config.value.end(), [](double v) { return std::isfinite(v); })) {
-    return fail(ErrorCode::BadParameter, "value must be finite numbers");
+    return fail(ErrorCode::BadParameter, {"value must be finite numbers", "value debe tener números finitos"});
   }
   return std::unique_ptr<ConstantGoal>(new ConstantGoal(config));
 }

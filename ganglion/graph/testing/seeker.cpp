@@ -44,7 +44,9 @@ class Seeker final : public ActingModule {
         relative_(parameters.boolean("relative")),
         give_up_at_(parameters.real("give_up_at")) {}
   static Result<std::unique_ptr<ActingModule>> make(const Parameters& parameters) {
-    if (parameters.real("stride") == 0) return fail(ErrorCode::BadParameter, "stride is 0, must be another number");
+    if (parameters.real("stride") == 0)
+      return fail(ErrorCode::BadParameter,
+                  {"stride is 0, must be another number", "stride es 0, debe ser otro número"});
     return std::make_unique<Seeker>(parameters);
   }
 
@@ -56,8 +58,10 @@ class Seeker final : public ActingModule {
     parts.push_back({"steps", writer.take()});
   }
   Result<void> load(std::uint32_t version, std::span<const ExperiencePart> parts) override {
-    if (version != 1) return fail(ErrorCode::Unsupported, "version {} is newer than 1", version);
-    if (parts.size() != 1 || parts[0].bytes.size() % 8 != 0) return fail(ErrorCode::Corrupt, "no steps");
+    if (version != 1)
+      return fail(ErrorCode::Unsupported, {"version {} is newer than 1", "la versión {} es más nueva que 1"}, version);
+    if (parts.size() != 1 || parts[0].bytes.size() % 8 != 0)
+      return fail(ErrorCode::Corrupt, {"no steps", "no hay pasos"});
     ByteReader reader(parts[0].bytes);
     history_.clear();
     for (std::size_t i = 0; i < parts[0].bytes.size() / 8; ++i) history_.push_back(reader.f64());

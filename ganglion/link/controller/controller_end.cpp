@@ -5,6 +5,7 @@
 
 #include "ganglion/base/expects.h"
 #include "ganglion/base/text.h"
+#include "ganglion/link/wire/words.h"
 
 namespace ganglion::link {
 namespace {
@@ -60,10 +61,10 @@ void ControllerEnd::await_sense(double now_s) {
   want(Wanted::NewerSense, now_s);
 }
 
-void ControllerEnd::bye(const std::string& reason) {
+void ControllerEnd::bye(const Sentence& reason) {
   if (!connected_) return;
   wire::Bye message;
-  message.set_reason(reason);
+  write_words(reason, message);
   send(message);
 }
 
@@ -98,10 +99,17 @@ void ControllerEnd::receive(std::string_view bytes, double now_s) {
   reader_.feed(bytes);
   while (connected_ && !failure_) {
     const auto payload = reader_.next();
-    if (!payload) return fail(fmt::format("what answers there is no robot link: {}", payload.error().message));
+    if (!payload) {
+      return fail(
+          say({"what answers there is no robot link: {}", "lo que responde allí no es el enlace de un robot: {}"},
+              payload.error().what));
+    }
     if (!*payload) break;
     const auto kind = decode(**payload, *reader_.encoding(), in_);
-    if (!kind) return fail(fmt::format("the robot sent what cannot be read: {}", kind.error().message));
+    if (!kind) {
+      return fail(say({"the robot sent what cannot be read: {}", "el robot envió algo que no se puede leer: {}"},
+                      kind.error().what));
+    }
     handle(*kind, now_s);
   }
 }
@@ -131,11 +139,13 @@ void ControllerEnd::handle(FrameKind kind, double now_s) {
 
 void ControllerEnd::heard_hello() {
   if (in_.hello.major() != 1) {
-    return fail(fmt::format("the robot speaks protocol {}.{}, we speak 1.0: update the older of the two",
-                            in_.hello.major(), in_.hello.minor()));
+    return fail(say({"the robot speaks protocol {}.{}, we speak 1.0: update the older of the two",
+                     "el robot habla el protocolo {}.{}, aquí se habla 1.0: actualice el más antiguo de los dos"},
+                    in_.hello.major(), in_.hello.minor()));
   }
   if (!token_.empty() && !in_.hello.resumed() && config_.carrier == Carrier::Stream) {
-    return fail("the robot began a new session in the middle of ours: was it started again?");
+    return fail(say({"the robot began a new session in the middle of ours: was it started again?",
+                     "el robot empezó otra sesión en medio de la nuestra: ¿se reinició?"}));
   }
   token_ = in_.hello.token().substr(0, 100);
   robot_program_ = printable(in_.hello.name(), 100);
@@ -145,8 +155,9 @@ void ControllerEnd::heard_hello() {
 void ControllerEnd::heard_bye(double now_s) {
   // The place may still be held for a connection that broke a moment ago: our own, or that of a run just killed.
   if (in_.bye.code() == wire::BUSY && now_s - asked_s_ < kBusy_s) return disconnected(now_s);
-  const std::string reason = printable(in_.bye.reason(), 500);
-  fail(fmt::format("the robot said goodbye: {}", reason.empty() ? "without a reason" : reason));
+  const Sentence reason = read_words(in_.bye);
+  fail(say({"the robot said goodbye: {}", "el robot se despidió: {}"},
+           reason.empty() ? say({"without a reason", "sin dar razón"}) : reason));
 }
 
 void ControllerEnd::heard_describe() {
@@ -168,8 +179,14 @@ void ControllerEnd::heard_sense(double now_s) {
       return;
     case Wanted::Answer:
       if (tick == wanted_tick_) break;
-      if (tick > wanted_tick_) return fail("the robot went on without us: is there another controller?");
-      if (tick + 1 < wanted_tick_ && first) return fail("the robot's time went back: was it started again?");
+      if (tick > wanted_tick_) {
+        return fail(say({"the robot went on without us: is there another controller?",
+                         "el robot siguió sin nosotros: ¿hay otro controlador?"}));
+      }
+      if (tick + 1 < wanted_tick_ && first) {
+        return fail(say(
+            {"the robot's time went back: was it started again?", "el tiempo del robot retrocedió: ¿se reinició?"}));
+      }
       ++statistics_.late;
       if (first) ask_again(now_s);  // the Act was lost with the connection
       return;
@@ -221,8 +238,9 @@ void ControllerEnd::poll(double now_s) {
   if (failure_) return;
   statistics_.lost += reader_.take_damaged();
   if (!done() && now_s >= asked_s_ + config_.patience_s) {
-    return fail(
-        fmt::format("no answer for {:.0f} s: is the robot switched on, and nobody else's?", config_.patience_s));
+    return fail(say({"no answer for {:.0f} s: is the robot switched on, and nobody else's?",
+                     "sin respuesta durante {:.0f} s: ¿está el robot encendido y no lo usa nadie más?"},
+                    config_.patience_s));
   }
   if (!connected_) return;
   if (greeted_ && now_s >= beat_s_ + config_.beat_s) beat(now_s);
@@ -253,7 +271,7 @@ double ControllerEnd::silent_s() const noexcept {
 
 std::vector<wire::Event> ControllerEnd::take_events() { return std::exchange(events_, {}); }
 
-void ControllerEnd::fail(std::string reason) {
+void ControllerEnd::fail(Sentence reason) {
   if (!failure_) failure_ = Error{ErrorCode::LinkLost, std::move(reason), {}};
 }
 

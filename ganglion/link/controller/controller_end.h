@@ -52,10 +52,10 @@ class ControllerEnd {
   void take_sense() noexcept { taken_ = true; }
   bool done() const noexcept { return waiting_for_ == Wanted::Nothing; }
   /// Last words; nothing is awaited.
-  void bye(const std::string& reason);
+  void bye(const Sentence& reason);
 
   /// What came cannot be used.
-  void fail(std::string reason);
+  void fail(Sentence reason);
   /// Why the link is of no more use.
   const std::optional<Error>& failure() const noexcept { return failure_; }
   const wire::Describe& describe() const noexcept { return describe_; }
@@ -83,7 +83,7 @@ class ControllerEnd {
   double silent_s() const noexcept;
   template <class Message>
   void send(const Message& message) {
-    if (auto written = writer_.append(message, out_); !written) fail(written.error().message);
+    if (auto written = writer_.append(message, out_); !written) fail(written.error().what);
   }
 
   ControllerEndConfig config_;

@@ -13,7 +13,7 @@ namespace {
 constexpr int kBeats = 10;
 constexpr double kSlow_s = 0.1;
 
-using Say = std::function<void(bool good, const std::string& finding)>;
+using Say = std::function<void(bool good, const Sentence& finding)>;
 
 ControllerEndConfig watching(Carrier carrier, Encoding encoding, double patience_s) {
   ControllerEndConfig config;
@@ -39,14 +39,14 @@ class Examination {
     compare();
     first_frame();
     answers();
-    end_->bye("seen enough");
+    end_->bye(say({"seen enough", "ya se miró lo suficiente"}));
     const auto sent = line_->send(end_->outgoing(), line_->now_s() + 1);
     static_cast<void>(sent);
     return good_;
   }
 
  private:
-  void tell(bool good, const std::string& finding) {
+  void tell(bool good, const Sentence& finding) {
     good_ = good_ && good;
     say_(good, finding);
   }
@@ -62,18 +62,20 @@ class Examination {
       reached = line_->connect(patience_end_s());
     }
     if (!reached) {
-      tell(false, reached.error().message);
+      tell(false, reached.error().what);
       return false;
     }
-    tell(true, fmt::format("{} takes connections", line_->address()));
+    tell(true, say({"{} takes connections", "{} acepta conexiones"}, line_->address()));
     if (greet(Encoding::Binary)) return true;
-    const std::string reason = end_->failure()->message;
+    const Sentence reason = end_->failure()->what;
     if (line_->carrier() == Carrier::Stream && line_->connect(patience_end_s()) && greet(Encoding::Json)) {
-      tell(true, "it answers JSON lines but no binary frames: write encoding = \"json\" in [application]");
+      tell(true, say({"it answers JSON lines but no binary frames: write encoding = \"json\" in [application]",
+                      "responde líneas JSON, pero no tramas binarias: escriba encoding = \"json\" en [application]"}));
       return true;
     }
-    tell(false,
-         fmt::format("no greeting came to its end: {}. It must answer Hello with Hello, Describe and Sense", reason));
+    tell(false, say({"no greeting came to its end: {}. It must answer Hello with Hello, Describe and Sense",
+                     "ningún saludo llegó a su fin: {}. Debe responder a Hello con Hello, Describe y Sense"},
+                    reason));
     return false;
   }
 
@@ -83,48 +85,69 @@ class Examination {
     end_->connected(line_->now_s());
     while (!end_->done() && !end_->failure()) carry();
     if (end_->failure()) return false;
-    tell(true, fmt::format("it speaks protocol 1 and calls itself \"{}\"", end_->robot_program()));
+    tell(true, say({"it speaks protocol 1 and calls itself \"{}\"", "habla el protocolo 1 y se llama \"{}\""},
+                   end_->robot_program()));
     return true;
   }
 
   void describe() {
     const wire::Describe& told = end_->describe();
     const auto robot = read_description(told);
-    if (!robot) return tell(false, fmt::format("its description makes no sense: {}", robot.error().message));
+    if (!robot) {
+      return tell(false, say({"its description makes no sense: {}", "su descripción no tiene sentido: {}"},
+                             robot.error().what));
+    }
     description_ = *robot;
-    tell(true, fmt::format("it is \"{}\", {} robot{}, {} m long and {} m wide, a tick each {} s", robot->name,
-                           std::max(1u, told.robots()), told.robots() > 1 ? "s" : "", shortest(robot->length_m),
-                           shortest(robot->width_m), shortest(robot->tick_s)));
+    tell(true, say({"it is \"{}\", {} robot{}, {} m long and {} m wide, a tick each {} s",
+                    "es \"{}\", {} robot{}, de {} m de largo y {} m de ancho, un ciclo cada {} s"},
+                   robot->name, std::max(1u, told.robots()), told.robots() > 1 ? "s" : "", shortest(robot->length_m),
+                   shortest(robot->width_m), shortest(robot->tick_s)));
     std::vector<std::string> sensations, commands;
     for (const SensationChannel& channel : robot->sensations) {
       sensations.push_back(channel.name + (channel.unit.empty() ? "" : " [" + channel.unit + "]"));
     }
     for (const CommandChannel& channel : robot->commands) commands.push_back(channel.name);
-    tell(!sensations.empty(),
-         sensations.empty() ? "it senses nothing: fill in Describe.sensations" : "it senses " + join(sensations));
-    tell(!commands.empty(), commands.empty() ? "nothing can be commanded: fill in Describe.commands"
-                                             : "it takes the commands " + join(commands));
-    tell(told.lock_step() || told.free_running(),
-         told.lock_step() && told.free_running() ? "it can go in lock-step and free-running"
-         : told.lock_step()                      ? "it can go in lock-step"
-         : told.free_running()                   ? "it can go free-running"
-                                                 : "it can go at no pace: set lock_step or free_running in Describe");
+    tell(!sensations.empty(), sensations.empty() ? say({"it senses nothing: fill in Describe.sensations",
+                                                        "no percibe nada: complete Describe.sensations"})
+                                                 : say({"it senses {}", "percibe {}"}, join(sensations)));
+    tell(!commands.empty(), commands.empty()
+                                ? say({"nothing can be commanded: fill in Describe.commands",
+                                       "no admite mandos: complete Describe.commands"})
+                                : say({"it takes the commands {}", "admite los mandos {}"}, join(commands)));
+    tell_paces(told.lock_step(), told.free_running());
+  }
+
+  void tell_paces(bool lock_step, bool free_running) {
+    if (!lock_step && !free_running) {
+      return tell(false, say({"it can go at no pace: set lock_step or free_running in Describe",
+                              "no puede ir a ningún ritmo: fije lock_step o free_running en Describe"}));
+    }
+    tell(true, lock_step && free_running
+                   ? say({"it can go in lock-step and free-running", "puede ir paso a paso y a su propio ritmo"})
+               : lock_step ? say({"it can go in lock-step", "puede ir paso a paso"})
+                           : say({"it can go free-running", "puede ir a su propio ritmo"}));
   }
 
   /// With the robot the controller was drawn for.
   void compare() {
     const auto robots = static_cast<int>(std::max(1u, end_->describe().robots()));
     if (options_.robots > 0 && robots != options_.robots) {
-      tell(false, fmt::format("there are {} robots, the experiment has {}: set application.robots = {}", robots,
-                              options_.robots, robots));
+      tell(false, say({"there are {} robots, the experiment has {}: set application.robots = {}",
+                       "hay {} robots, el experimento tiene {}: fije application.robots = {}"},
+                      robots, options_.robots, robots));
     }
     if (!description_ || options_.file == nullptr) return;
     const std::vector<Difference> found = differences(*options_.file, *description_);
     for (const Difference& one : found) {
-      const std::string what = one.channel.empty() ? one.text : one.channel + ": " + one.text;
-      tell(!one.grave, (one.grave ? "a controller for the robot file cannot drive it: " : "it differs: ") + what);
+      tell(!one.grave, one.grave ? say({"a controller for the robot file cannot drive it: {}",
+                                        "un controlador hecho para el archivo del robot no puede conducirlo: {}"},
+                                       text_of(one))
+                                 : say({"it differs: {}", "difiere: {}"}, text_of(one)));
     }
-    if (found.empty()) tell(true, "it is the robot that the robot file describes");
+    if (found.empty()) {
+      tell(true,
+           say({"it is the robot that the robot file describes", "es el robot que describe el archivo del robot"}));
+    }
   }
 
   void first_frame() {
@@ -132,13 +155,16 @@ class Examination {
     const wire::Sense& sense = end_->sense();
     std::vector<SenseFrame> frames(std::max(1u, end_->describe().robots()), make_sense_frame(*description_));
     if (!read_senses(sense, frames)) {
-      return tell(false,
-                  fmt::format("its frames do not fit the description: of {} robots Sense must have {} values, and "
+      return tell(false, say({"its frames do not fit the description: of {} robots Sense must have {} values, and "
                               "{} ages or none",
-                              frames.size(), frames.size() * frames.front().values.size(),
-                              frames.size() * frames.front().ages_s.size()));
+                              "sus tramas no se ajustan a la descripción: de {} robots Sense debe tener {} valores, y "
+                              "{} antigüedades o ninguna"},
+                             frames.size(), frames.size() * frames.front().values.size(),
+                             frames.size() * frames.front().ages_s.size()));
     }
-    tell(true, fmt::format("its frames fit the description; it is at tick {}", sense.tick()));
+    tell(true, say({"its frames fit the description; it is at tick {}",
+                    "sus tramas se ajustan a la descripción; va por el ciclo {}"},
+                   sense.tick()));
     for (const SenseFrame& frame : frames) check_values(frame);
   }
 
@@ -148,8 +174,9 @@ class Examination {
       for (int k = 0; k < channel.size(); ++k) {
         const double value = frame.values[n++];
         if (!std::isfinite(value) || (value >= channel.min && value <= channel.max)) continue;
-        tell(false, fmt::format("{} reads {}, outside of its own limits [{}, {}]", channel.name, shortest(value),
-                                shortest(channel.min), shortest(channel.max)));
+        tell(false,
+             say({"{} reads {}, outside of its own limits [{}, {}]", "{} da {}, fuera de sus propios límites [{}, {}]"},
+                 channel.name, shortest(value), shortest(channel.min), shortest(channel.max)));
       }
     }
   }
@@ -163,21 +190,29 @@ class Examination {
       if (end_->beats_answered() != before) round_trips_s.push_back(end_->statistics().round_trip_s);
     }
     if (round_trips_s.empty()) {
-      return tell(false, "it answers no heartbeat: send every Beat back with answer = true and its number");
+      return tell(false, say({"it answers no heartbeat: send every Beat back with answer = true and its number",
+                              "no responde a los latidos: devuelva cada Beat con answer = true y su número"}));
     }
     std::sort(round_trips_s.begin(), round_trips_s.end());
     const double median_s = round_trips_s[round_trips_s.size() / 2];
-    tell(median_s < kSlow_s, fmt::format("it answers within {:.2f} ms (the slowest of {}: {:.2f} ms){}", median_s * 1e3,
-                                         round_trips_s.size(), round_trips_s.back() * 1e3,
-                                         median_s < kSlow_s ? "" : ": too slow for a tick of 0.1 s"));
+    tell(median_s < kSlow_s,
+         say({"it answers within {:.2f} ms (the slowest of {}: {:.2f} ms){}",
+              "responde en {:.2f} ms (la más lenta de {}: {:.2f} ms){}"},
+             median_s * 1e3, round_trips_s.size(), round_trips_s.back() * 1e3,
+             median_s < kSlow_s ? Text{"", ""}
+                                : Text{": too slow for a tick of 0.1 s", ": demasiado lento para un ciclo de 0.1 s"}));
     const auto lost = end_->statistics().lost;
-    if (lost > 0) tell(false, fmt::format("{} damaged frames: check cable and baud rate", lost));
+    if (lost > 0) {
+      tell(false,
+           say({"{} damaged frames: check cable and baud rate", "{} tramas dañadas: revise el cable y la velocidad"},
+               lost));
+    }
   }
 
   /// Bytes there and back, for a moment.
   void carry() {
-    if (stopped()) return end_->fail("the look at it was ended");
-    if (end_->wants_connection()) return end_->fail("the connection broke");
+    if (stopped()) return end_->fail(say({"the look at it was ended", "se dejó de mirar"}));
+    if (end_->wants_connection()) return end_->fail(say({"the connection broke", "se cortó la conexión"}));
     if (!end_->outgoing().empty()) {
       const bool sent = line_->send(end_->outgoing(), line_->now_s() + 1).has_value();
       end_->outgoing().clear();

@@ -17,7 +17,7 @@ RemoteApplication::RemoteApplication(std::unique_ptr<Line> line, const RobotDesc
     : line_(std::move(line)), file_(file), robots_(robots), config_(config), end_(config.end), room_(kRoomBytes) {}
 
 RemoteApplication::~RemoteApplication() {
-  end_.bye("the run is over");
+  end_.bye(say({"the run is over", "la ejecución terminó"}));
   if (!end_.outgoing().empty()) {
     const auto sent = line_->send(end_.outgoing(), line_->now_s() + 1);
     static_cast<void>(sent);  // who is not there any more needs no goodbye
@@ -56,18 +56,24 @@ Result<void> RemoteApplication::compare() {
   const wire::Describe& describe = end_.describe();
   auto robot = read_description(describe);
   if (!robot) {
-    return fail(ErrorCode::LinkLost, "{}: what the robot says of itself makes no sense: {}", line_->address(),
-                robot.error().message);
+    return fail(ErrorCode::LinkLost,
+                {"{}: what the robot says of itself makes no sense: {}",
+                 "{}: lo que el robot dice de sí mismo no tiene sentido: {}"},
+                line_->address(), robot.error().what);
   }
   const int robots = std::max(1, static_cast<int>(describe.robots()));
   if (robots != robots_) {
-    return fail(ErrorCode::LinkLost, "{}: there are {} robots, the experiment has {}: set application.robots = {}",
+    return fail(ErrorCode::LinkLost,
+                {"{}: there are {} robots, the experiment has {}: set application.robots = {}",
+                 "{}: hay {} robots, el experimento tiene {}: fije application.robots = {}"},
                 line_->address(), robots, robots_, robots);
   }
   differences_ = link::differences(file_, *robot);
   if (std::any_of(differences_.begin(), differences_.end(), [](const Difference& one) { return one.grave; })) {
-    return fail(ErrorCode::LinkLost, "{}: this is not the robot the controller was drawn for: {}", line_->address(),
-                text_of(differences_));
+    return fail(ErrorCode::LinkLost,
+                {"{}: this is not the robot the controller was drawn for: {}",
+                 "{}: este no es el robot para el que se dibujó el controlador: {}"},
+                line_->address(), text_of(differences_));
   }
   map_.emplace(file_, *robot);
   sense_.assign(static_cast<std::size_t>(robots_), make_sense_frame(*robot));
@@ -114,11 +120,13 @@ void RemoteApplication::take_sense(bool first) noexcept {
   end_.take_sense();
   if (!read_senses(message, sense_)) {
     const SenseFrame& one = sense_.front();
-    return end_.fail(fmt::format("a Sense of {} robots must have {} values and {} ages (or none), as described",
-                                 robots_, sense_.size() * one.values.size(), sense_.size() * one.ages_s.size()));
+    return end_.fail(
+        say({"a Sense of {} robots must have {} values and {} ages (or none), as described",
+             "un Sense de {} robots debe tener {} valores y {} antigüedades (o ninguna), como se describió"},
+            robots_, sense_.size() * one.values.size(), sense_.size() * one.ages_s.size()));
   }
   if (witness_ == nullptr) return;
-  if (auto taken = witness_->take(message, first); !taken) end_.fail(taken.error().message);
+  if (auto taken = witness_->take(message, first); !taken) end_.fail(taken.error().what);
 }
 
 void RemoteApplication::await() noexcept {
@@ -160,7 +168,7 @@ void RemoteApplication::drain() noexcept {
 
 bool RemoteApplication::reconnect() noexcept {
   if (config_.stop && config_.stop()) {
-    end_.fail("interrupted while the connection was broken");
+    end_.fail(say({"interrupted while the connection was broken", "interrumpida con la conexión cortada"}));
     return false;
   }
   line_->close();
@@ -173,14 +181,15 @@ bool RemoteApplication::reconnect() noexcept {
 
 Error RemoteApplication::error() const {
   Error error = *end_.failure();
-  error.message = fmt::format("{}: {}", line_->address(), error.message);
+  error.what = say({"{}: {}", "{}: {}"}, line_->address(), error.what);
   return error;
 }
 
-std::string text_of(const std::vector<Difference>& differences) {
-  std::string text;
+Sentence text_of(const std::vector<Difference>& differences) {
+  Sentence text;
   for (const Difference& one : differences) {
-    text += fmt::format("{}{}{}{}", text.empty() ? "" : "; ", one.channel, one.channel.empty() ? "" : ": ", one.text);
+    if (!text.empty()) text += Sentence::quoted("; ");
+    text += text_of(one);
   }
   return text;
 }

@@ -72,7 +72,7 @@ class RemoteApplication final : public Application {
   double tried_s_ = 0;  // to connect
 };
 
-/// "sonar_left.range: unit: the robot has \"cm\", the file \"m\"", "; " between.
-std::string text_of(const std::vector<Difference>& differences);
+/// The text of each, "; " between.
+Sentence text_of(const std::vector<Difference>& differences);
 
 }  // namespace ganglion::link

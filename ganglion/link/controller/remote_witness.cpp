@@ -35,8 +35,10 @@ Result<void> RemoteWitness::take(const wire::Sense& sense, bool first) {
   if (sense.truths_size() != static_cast<int>(truths_.size()) ||
       sense.movers_size() != static_cast<int>(3 * movers_.size())) {
     return fail(ErrorCode::BadParameter,
-                "the truth of {} robots and {} numbers of movers, described were {} and {} movers", sense.truths_size(),
-                sense.movers_size(), truths_.size(), movers_.size());
+                {"the truth of {} robots and {} numbers of movers, described were {} and {} movers",
+                 "la verdad de {} robots y {} números de obstáculos móviles; se describieron {} robots y {} obstáculos "
+                 "móviles"},
+                sense.truths_size(), sense.movers_size(), truths_.size(), movers_.size());
   }
   for (std::size_t n = 0; n < truths_.size(); ++n) {
     const wire::Truth& message = sense.truths(static_cast<int>(n));
@@ -66,8 +68,9 @@ Result<void> RemoteWitness::take_goals(const wire::Truth& message, Log& log) {
   for (const wire::Goal& goal : message.goals()) {
     if (goal.index() > log.goals.size() || goal.index() >= kMaxGoals || goal.outcome() > kLastOutcome ||
         goal.reason() > 0xFF) {
-      return fail(ErrorCode::BadParameter, "goal {} with outcome {}, after {} goals", goal.index(), goal.outcome(),
-                  log.goals.size());
+      return fail(ErrorCode::BadParameter,
+                  {"goal {} with outcome {}, after {} goals", "objetivo {} con resultado {}, tras {} objetivos"},
+                  goal.index(), goal.outcome(), log.goals.size());
     }
     if (goal.index() == log.goals.size()) log.goals.emplace_back();
     log.goals[goal.index()] = read_goal(goal);

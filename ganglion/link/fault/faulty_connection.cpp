@@ -12,16 +12,16 @@ constexpr double kInf = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-std::string FaultCounts::text() const {
-  std::string text = fmt::format("{} frame{}", frames, frames == 1 ? "" : "s");
-  const auto add = [&text](std::uint32_t count, std::string_view what) {
-    if (count > 0) text += fmt::format(", {} {}", count, what);
+Sentence FaultCounts::text() const {
+  Sentence text = say({"{} frame{}", "{} trama{}"}, frames, frames == 1 ? "" : "s");
+  const auto add = [&text](std::uint32_t count, const Text& what) {
+    if (count > 0) text += say({", {} {}", ", {1}: {0}"}, count, what);
   };
-  add(lost, "lost");
-  add(duplicated, "duplicated");
-  add(merged, "merged with the next");
-  add(split, "split");
-  add(corrupted_bytes, "bytes changed");
+  add(lost, {"lost", "perdidas"});
+  add(duplicated, {"duplicated", "duplicadas"});
+  add(merged, {"merged with the next", "unidas a la siguiente"});
+  add(split, {"split", "partidas"});
+  add(corrupted_bytes, {"bytes changed", "bytes cambiados"});
   return text;
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "ganglion/base/sentence.h"
 #include "ganglion/link/fault/frame_cutter.h"
 #include "ganglion/link/fault/line_fault.h"
 #include "ganglion/random/draws.h"
@@ -18,7 +19,7 @@ struct FaultCounts {
   std::uint32_t lost = 0, duplicated = 0, merged = 0, split = 0;
   std::uint32_t corrupted_bytes = 0;
   /// "41 frames, 2 lost, 1 duplicated".
-  std::string text() const;
+  Sentence text() const;
 };
 
 /// One connection on its way through faults: takes bytes and times, gives bytes and times. It knows no socket and no

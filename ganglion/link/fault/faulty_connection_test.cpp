@@ -217,7 +217,8 @@ TEST(FaultyConnection, CutsPacketsAtTheirEnds) {
   FaultyConnection line = through("duplicate=1", 1, Carrier::Packets);
   line.push(Way::ToRobot, packets, 0);
   EXPECT_EQ(line.counts(Way::ToRobot).frames, 2u);
-  EXPECT_EQ(line.counts(Way::ToRobot).text(), "2 frames, 2 duplicated");
+  EXPECT_EQ(line.counts(Way::ToRobot).text().en, "2 frames, 2 duplicated");
+  EXPECT_EQ(line.counts(Way::ToRobot).text().es, "2 tramas, duplicadas: 2");
 }
 
 }  // namespace

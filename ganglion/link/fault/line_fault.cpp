@@ -56,7 +56,9 @@ class Reader {
     LineFaults faults;
     if (trimmed(text_).empty() || trimmed(text_) == "none") return faults;
     for (const std::string_view part : parts(text_, ';')) {
-      if (faults.size() == kMostFaults) return fail_at(place(part), ErrorCode::TooLarge, "more than 100 faults");
+      if (faults.size() == kMostFaults) {
+        return fail_at(place(part), ErrorCode::TooLarge, {"more than 100 faults", "más de 100 fallos"});
+      }
       auto fault = read_fault(part);
       if (!fault) return tl::unexpected<Error>(fault.error());
       faults.push_back(*fault);
@@ -83,11 +85,14 @@ class Reader {
       if (auto read = read_item(item, fault); !read) return tl::unexpected<Error>(read.error());
     }
     if (!(fault.from_s < fault.until_s)) {
-      return fail_at(place(part), ErrorCode::BadParameter, "from={}s must lie before until={}s", shortest(fault.from_s),
-                     shortest(fault.until_s));
+      return fail_at(place(part), ErrorCode::BadParameter,
+                     {"from={}s must lie before until={}s", "from={}s debe quedar antes de until={}s"},
+                     shortest(fault.from_s), shortest(fault.until_s));
     }
     if (fault.freeze && std::isinf(fault.until_s)) {
-      return fail_at(place(part), ErrorCode::BadParameter, "freeze needs an end, as in freeze,from=4s,until=6s");
+      return fail_at(place(part), ErrorCode::BadParameter,
+                     {"freeze needs an end, as in freeze,from=4s,until=6s",
+                      "freeze necesita un final, como en freeze,from=4s,until=6s"});
     }
     return fault;
   }
@@ -99,7 +104,8 @@ class Reader {
     for (const Word& word : kWords) {
       if (key != word.name) continue;
       if (equals != std::string_view::npos) {
-        return fail_at(place(item), ErrorCode::Syntax, "{} stands alone, without a value", key);
+        return fail_at(place(item), ErrorCode::Syntax, {"{} stands alone, without a value", "{} va solo, sin valor"},
+                       key);
       }
       fault.*word.value = true;
       return {};
@@ -111,8 +117,13 @@ class Reader {
       if (key == share.name) return read_share(item, share, value, fault);
     }
     if (key == "to") return read_way(item, value, fault);
-    return fail_at(place(item), ErrorCode::UnknownKey, "\"{}\" is no fault of a line{}", printable(key, 50),
-                   suggestion(key, known_keys()));
+    const std::string found = printable(key, 50);
+    const std::vector<std::string> keys = known_keys();
+    return tl::unexpected<Error>(Error{
+        ErrorCode::UnknownKey,
+        say({"\"{}\" is no fault of a line{}", "\"{}\" no es un fallo de una línea{}"}, found, suggestion(key, keys)),
+        place(item),
+        {.found = found, .choices = keys}});
   }
 
   Result<void> read_time(std::string_view item, const TimeKey& key, std::string_view value, LineFault& fault) const {
@@ -126,7 +137,9 @@ class Reader {
       fault.*key.value = time_s;
       return {};
     }
-    return fail_at(place(item), ErrorCode::BadParameter, "{}={}: must be a time from 0s to {}s, as in 20ms, 1.5s, 2min",
+    return fail_at(place(item), ErrorCode::BadParameter,
+                   {"{}={}: must be a time from 0s to {}s, as in 20ms, 1.5s, 2min",
+                    "{}={}: debe ser un tiempo de 0s a {}s, como 20ms, 1.5s, 2min"},
                    key.name, printable(value, 50), shortest(key.most_s));
   }
 
@@ -135,7 +148,9 @@ class Reader {
     auto number = parse_number(percent ? trimmed(value.substr(0, value.size() - 1)) : value);
     if (number && percent) *number /= 100;
     if (!number || !(*number >= 0 && *number <= 1)) {
-      return fail_at(place(item), ErrorCode::BadParameter, "{}={}: must be a share from 0 to 1, or 0% to 100%",
+      return fail_at(place(item), ErrorCode::BadParameter,
+                     {"{}={}: must be a share from 0 to 1, or 0% to 100%",
+                      "{}={}: debe ser una proporción de 0 a 1, o de 0% a 100%"},
                      key.name, printable(value, 50));
     }
     fault.*key.value = *number;
@@ -144,7 +159,8 @@ class Reader {
 
   Result<void> read_way(std::string_view item, std::string_view value, LineFault& fault) const {
     if (value != "robot" && value != "controller" && value != "both") {
-      return fail_at(place(item), ErrorCode::BadParameter, "to={}: must be robot, controller or both",
+      return fail_at(place(item), ErrorCode::BadParameter,
+                     {"to={}: must be robot, controller or both", "to={}: debe ser robot, controller o both"},
                      printable(value, 50));
     }
     fault.to_robot = value != "controller";

@@ -53,6 +53,8 @@ TEST(LineFaults, AreRefusedAtTheirColumn) {
     ASSERT_FALSE(faults) << one.text;
     EXPECT_EQ(faults.error().text(), one.message);
   }
+  EXPECT_EQ(parse_line_faults("los=0.1").error().text(Language::Spanish),
+            "--faults:1:1: \"los\" no es un fallo de una línea; ¿quiso decir \"loss\"?");
 }
 
 TEST(LineFaults, AreDrawnFromASeedAndSayThemselvesAgain) {

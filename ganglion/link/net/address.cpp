@@ -25,8 +25,10 @@ Result<Address> parse_tcp(std::string_view text) {
   });
   if (!plain || colon == std::string_view::npos || colon == 0 || !read_number(text.substr(colon + 1), address.port)) {
     return fail(ErrorCode::BadParameter,
-                "\"{}\" is no address: write tcp://HOST:PORT, as in tcp://127.0.0.1:7007, or "
-                "serial:///dev/ttyUSB0?baud=115200",
+                {"\"{}\" is no address: write tcp://HOST:PORT, as in tcp://127.0.0.1:7007, or "
+                 "serial:///dev/ttyUSB0?baud=115200",
+                 "\"{}\" no es una dirección: escriba tcp://EQUIPO:PUERTO, como tcp://127.0.0.1:7007, o "
+                 "serial:///dev/ttyUSB0?baud=115200"},
                 printable(text, 200));
   }
   std::string_view host = text.substr(0, colon);
@@ -45,7 +47,9 @@ Result<Address> parse_serial(std::string_view text) {
   const bool good =
       option.empty() || (option.starts_with(kBaud) && read_number(option.substr(kBaud.size()), address.baud));
   if (!good || !address.device.starts_with('/') || address.baud == 0) {
-    return fail(ErrorCode::BadParameter, "\"{}\" is no serial line: write serial:///dev/ttyUSB0?baud=115200",
+    return fail(ErrorCode::BadParameter,
+                {"\"{}\" is no serial line: write serial:///dev/ttyUSB0?baud=115200",
+                 "\"{}\" no es una línea serie: escriba serial:///dev/ttyUSB0?baud=115200"},
                 printable(text, 200));
   }
   address.text = fmt::format("serial://{}?baud={}", address.device, address.baud);

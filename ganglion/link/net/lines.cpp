@@ -40,9 +40,12 @@ class DescriptorLine : public Line {
       if (sent > 0) {
         bytes.remove_prefix(static_cast<std::size_t>(sent));
       } else if (errno != EAGAIN && errno != EINTR) {
-        return fail(ErrorCode::LinkLost, "{}: sending failed: {}", address_.text, reason_of(errno));
+        return fail(ErrorCode::LinkLost, {"{}: sending failed: {}", "{}: falló el envío: {}"}, address_.text,
+                    reason_of(errno));
       } else if (steady_s() >= until_s) {
-        return fail(ErrorCode::LinkLost, "{}: the other side takes no more bytes", address_.text);
+        return fail(ErrorCode::LinkLost,
+                    {"{}: the other side takes no more bytes", "{}: el otro extremo no acepta más bytes"},
+                    address_.text);
       } else {
         wait_for(POLLOUT, until_s);
       }
@@ -55,8 +58,9 @@ class DescriptorLine : public Line {
     const ssize_t got = ::read(descriptor(), room.data(), room.size());
     if (got > 0) return static_cast<std::size_t>(got);
     if (got < 0 && (errno == EAGAIN || errno == EINTR)) return std::size_t{0};
-    return fail(ErrorCode::LinkLost, "{}: {}", address_.text,
-                got == 0 ? std::string("the other side closed the connection") : reason_of(errno));
+    return fail(ErrorCode::LinkLost, {"{}: {}", "{}: {}"}, address_.text,
+                got == 0 ? say({"the other side closed the connection", "el otro extremo cerró la conexión"})
+                         : Sentence::quoted(reason_of(errno)));
   }
 
  protected:
@@ -88,7 +92,10 @@ class TcpLine final : public DescriptorLine {
     boost::system::error_code error;
     tcp::resolver resolver(context_);
     const auto found = resolver.resolve(address_.host, std::to_string(address_.port), error);
-    if (error) return fail(ErrorCode::LinkLost, "{}: no such host: {}", address_.text, error.message());
+    if (error) {
+      return fail(ErrorCode::LinkLost, {"{}: no such host: {}", "{}: no existe ese equipo: {}"}, address_.text,
+                  error.message());
+    }
     error = asio::error::timed_out;
     socket_.emplace(context_);
     asio::async_connect(*socket_, found,
@@ -102,10 +109,13 @@ class TcpLine final : public DescriptorLine {
     close();
     context_.restart();
     context_.poll();  // the connection attempt that was given up
-    return fail(ErrorCode::LinkLost,
-                "nothing answers at {}: {}. Is the robot on? A simulated one is started by: ganglion sim EXPERIMENT "
-                "--listen {}:{}",
-                address_.text, error.message(), address_.host, address_.port);
+    return fail(
+        ErrorCode::LinkLost,
+        {"nothing answers at {}: {}. Is the robot on? A simulated one is started by: ganglion sim EXPERIMENT "
+         "--listen {}:{}",
+         "nada responde en {}: {}. ¿Está encendido el robot? Uno simulado se inicia con: ganglion sim EXPERIMENTO "
+         "--listen {}:{}"},
+        address_.text, error.message(), address_.host, address_.port);
   }
 
   void close() noexcept override {
@@ -136,8 +146,10 @@ class SerialLine final : public DescriptorLine {
     if (!error) port_->set_option(asio::serial_port::baud_rate(address_.baud), error);
     if (!error) return {};
     close();
-    return fail(ErrorCode::LinkLost, "{}: {}. Is it plugged in, and may you use it (group dialout)?", address_.text,
-                error.message());
+    return fail(ErrorCode::LinkLost,
+                {"{}: {}. Is it plugged in, and may you use it (group dialout)?",
+                 "{}: {}. ¿Está enchufado, y puede usted usarlo (grupo dialout)?"},
+                address_.text, error.message());
   }
 
   void close() noexcept override {

@@ -23,8 +23,9 @@ inline Result<void> listen_at(boost::asio::ip::tcp::acceptor& acceptor, Address&
   if (!error) acceptor.listen(boost::asio::socket_base::max_listen_connections, error);
   if (error) {
     return fail(ErrorCode::LinkLost,
-                "cannot listen at {}: {}. Is something else running there? Port 0 takes a free one", address.text,
-                error.message());
+                {"cannot listen at {}: {}. Is something else running there? Port 0 takes a free one",
+                 "no se puede escuchar en {}: {}. ¿Hay otro programa ahí? El puerto 0 toma uno libre"},
+                address.text, error.message());
   }
   address.port = acceptor.local_endpoint().port();
   address.text = fmt::format("tcp://{}:{}", address.host, address.port);

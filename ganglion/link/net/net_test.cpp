@@ -59,7 +59,7 @@ TEST(Server, CarriesASessionOverTcp) {
     RemoteConfig config;
     config.end.encoding = encoding;
     auto remote = RemoteApplication::connect(served.line(), served.robot().description(), 1, config);
-    ASSERT_TRUE(remote) << remote.error().message;
+    ASSERT_TRUE(remote) << remote.error().what.en;
     EXPECT_EQ(drive(**remote, 300).size(), expected.size());
     remote->reset();
     served.stop();
@@ -81,7 +81,7 @@ std::string heard(Line& line) {
 TEST(Server, TellsManyStrangersWhyAndGoesOn) {
   Served served;
   const auto remote = RemoteApplication::connect(served.line(), served.robot().description(), 1, {});
-  ASSERT_TRUE(remote) << remote.error().message;
+  ASSERT_TRUE(remote) << remote.error().what.en;
   std::vector<std::unique_ptr<Line>> strangers;
   for (int n = 0; n < 400; ++n) {  // more than may connect; descriptors of both ends are in this process
     strangers.push_back(served.line());
@@ -103,7 +103,8 @@ TEST(Server, SaysGoodbyeWhenItEnds) {
   const std::vector<ActFrame> act = {make_act_frame((*remote)->description())};
   (*remote)->step(act, 0.1);
   ASSERT_NE((*remote)->failure(), nullptr);
-  EXPECT_NE((*remote)->failure()->message.find("the test is over"), std::string::npos);
+  EXPECT_NE((*remote)->failure()->what.en.find("the robot said goodbye: the test is over"), std::string::npos);
+  EXPECT_NE((*remote)->failure()->what.es.find("el robot se despidió: la prueba terminó"), std::string::npos);
 }
 
 /// A proxy on a port of this machine, served by a thread of its own.
@@ -111,8 +112,8 @@ class Proxied {
  public:
   Proxied(const Address& to, const char* faults, std::uint64_t seed) {
     auto proxy = Proxy::listen({*parse_address("127.0.0.1:0"), to, *parse_line_faults(faults), seed,
-                                [this](const std::string& line) { log_ += line + "\n"; }});
-    EXPECT_TRUE(proxy) << proxy.error().message;
+                                [this](const Sentence& line) { log_ += line.en + "\n"; }});
+    EXPECT_TRUE(proxy) << proxy.error().what.en;
     proxy_ = std::move(*proxy);
     thread_ =
         std::jthread([this](const std::stop_token& stop) { proxy_->serve([&] { return stop.stop_requested(); }); });
@@ -138,7 +139,7 @@ TEST(Proxy, LetsASessionThroughItsFaultsToTheSameEnd) {
   Served served;
   Proxied proxied(served.address(), "delay=1ms,jitter=1ms,merge=2%,split=30%; fin=1%,rst=1%", 3);
   auto remote = RemoteApplication::connect(proxied.line(), served.robot().description(), 1, {});
-  ASSERT_TRUE(remote) << remote.error().message;
+  ASSERT_TRUE(remote) << remote.error().what.en;
   drive(**remote, 200);
   EXPECT_EQ((*remote)->failure(), nullptr);
   EXPECT_GT((*remote)->statistics().reconnections, 0u);
@@ -170,24 +171,24 @@ TEST(Proxy, ClosesWhereThereIsNoRobot) {
 TEST(Proxy, GoesBetweenTcpAddressesOnly) {
   const auto proxy = Proxy::listen({*parse_address("127.0.0.1:0"), *parse_address("serial:///dev/ttyUSB0"), {}, 0, {}});
   ASSERT_FALSE(proxy);
-  EXPECT_NE(proxy.error().message.find("write tcp://HOST:PORT"), std::string::npos);
+  EXPECT_NE(proxy.error().what.en.find("write tcp://HOST:PORT"), std::string::npos);
 }
 
 TEST(TcpLine, SaysWhatToDoWhereNobodyListens) {
   const auto line = make_line(*parse_address(fmt::format("127.0.0.1:{}", free_port().value())));
   const auto reached = line->connect(steady_s() + 5);
   ASSERT_FALSE(reached);
-  EXPECT_NE(reached.error().message.find("ganglion sim EXPERIMENT --listen"), std::string::npos);
+  EXPECT_NE(reached.error().what.en.find("ganglion sim EXPERIMENT --listen"), std::string::npos);
 }
 
 TEST(Program, IsToldItsPortAndEndsWithItsOwner) {
   const fs::path output = fs::temp_directory_path() / fmt::format("ganglion_program_test_{}.log", ::getpid());
   {
     auto program = Program::start({"sh", "-c", "echo {port} $GANGLION_PORT; pwd; exec sleep 1000"}, "/", 4711, output);
-    ASSERT_TRUE(program) << program.error().message;
+    ASSERT_TRUE(program) << program.error().what.en;
     const double until_s = steady_s() + 10;
-    while (program->last_words().find("| /") == std::string::npos && steady_s() < until_s) std::this_thread::yield();
-    EXPECT_EQ(program->last_words(), "4711 4711 | /");
+    while (program->last_words().en.find("| /") == std::string::npos && steady_s() < until_s) std::this_thread::yield();
+    EXPECT_EQ(program->last_words(), Sentence::quoted("4711 4711 | /"));
     EXPECT_FALSE(program->ended());
   }
   EXPECT_EQ(*read_file(output), "4711 4711\n/\n");

@@ -68,7 +68,9 @@ Result<Program> Program::start(const std::vector<std::string>& arguments, const 
   std::error_code ignored;
   std::filesystem::create_directories(std::filesystem::absolute(output).parent_path(), ignored);
   const int log = ::open(output.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  if (log < 0) return fail(ErrorCode::Unwritable, "{}: cannot be written", output.string());
+  if (log < 0) {
+    return fail(ErrorCode::Unwritable, {"{}: cannot be written", "{}: no se puede escribir"}, output.string());
+  }
   const std::string number = std::to_string(port);
   std::vector<std::string> texts;
   for (const std::string& argument : arguments) texts.push_back(with_port(argument, number));
@@ -89,8 +91,10 @@ Result<Program> Program::start(const std::vector<std::string>& arguments, const 
   if (piped) ::close(report[0]);
   if (error == 0) return Program(process, output);
   if (process > 0) ::waitpid(process, nullptr, 0);
-  return fail(ErrorCode::NotFound, "application.program: \"{}\" cannot be started: {}", texts.front(),
-              std::generic_category().message(error));
+  return fail(
+      ErrorCode::NotFound,
+      {"application.program: \"{}\" cannot be started: {}", "application.program: no se puede iniciar \"{}\": {}"},
+      texts.front(), std::generic_category().message(error));
 }
 
 Program::Program(Program&& other) noexcept
@@ -111,12 +115,12 @@ bool Program::ended() noexcept {
   return process_ <= 0;
 }
 
-std::string Program::last_words() const {
+Sentence Program::last_words() const {
   const auto text = read_file(output_);
-  if (!text || trimmed(*text).empty()) return "nothing";
+  if (!text || trimmed(*text).empty()) return say({"nothing", "nada"});
   std::vector<std::string> lines = split(trimmed(*text), '\n');
   if (std::ssize(lines) > kLastLines) lines.erase(lines.begin(), lines.end() - kLastLines);
-  return printable(join(lines, " | "), 1000);
+  return Sentence::quoted(printable(join(lines, " | "), 1000));
 }
 
 Result<std::uint16_t> free_port() {
@@ -128,7 +132,7 @@ Result<std::uint16_t> free_port() {
   auto* plain = reinterpret_cast<sockaddr*>(&address);
   const bool bound = socket >= 0 && ::bind(socket, plain, size) == 0 && ::getsockname(socket, plain, &size) == 0;
   if (socket >= 0) ::close(socket);
-  if (!bound) return fail(ErrorCode::LinkLost, "no TCP port is free");
+  if (!bound) return fail(ErrorCode::LinkLost, {"no TCP port is free", "no hay ningún puerto TCP libre"});
   return ntohs(address.sin_port);
 }
 

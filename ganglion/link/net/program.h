@@ -26,8 +26,8 @@ class Program {
   /// Whether it ended by itself.
   bool ended() noexcept;
   const std::filesystem::path& output() const noexcept { return output_; }
-  /// The last three lines it printed, " | " between.
-  std::string last_words() const;
+  /// The last three lines it printed, " | " between; or that it printed nothing.
+  Sentence last_words() const;
 
  private:
   Program(pid_t process, std::filesystem::path output) : process_(process), output_(std::move(output)) {}

@@ -54,7 +54,7 @@ class Proxy::Shell {
   void accept();
   void welcome(tcp::socket socket);
   void drop(const Shared& pair);
-  void log(const std::string& line) const {
+  void log(const Sentence& line) const {
     if (config_.log) config_.log(line);
   }
   double now_s() noexcept { return steady_s() - begun_s_; }
@@ -90,17 +90,18 @@ struct Proxy::Shell::Pair : std::enable_shared_from_this<Pair> {
   Side& at(Way to) noexcept { return sides[static_cast<std::size_t>(to)]; }
 
   void begin() {
-    asio::async_connect(at(Way::ToRobot).socket, shell.robot_,
-                        [self = shared_from_this()](const ErrorText& error, const tcp::endpoint&) {
-                          if (error) {
-                            self->shell.log(fmt::format("connection {}: no robot at {}: {}", self->number,
-                                                        self->shell.config_.to.text, error.message()));
-                            return self->shell.drop(self);
-                          }
-                          ErrorText ignored;
-                          self->at(Way::ToRobot).socket.set_option(tcp::no_delay(true), ignored);
-                          self->look();
-                        });
+    asio::async_connect(
+        at(Way::ToRobot).socket, shell.robot_,
+        [self = shared_from_this()](const ErrorText& error, const tcp::endpoint&) {
+          if (error) {
+            self->shell.log(say({"connection {}: no robot at {}: {}", "conexión {}: no hay robot en {}: {}"},
+                                self->number, self->shell.config_.to.text, error.message()));
+            return self->shell.drop(self);
+          }
+          ErrorText ignored;
+          self->at(Way::ToRobot).socket.set_option(tcp::no_delay(true), ignored);
+          self->look();
+        });
   }
 
   /// Reads from the side that sends that way, unless too much of it is under way.
@@ -192,12 +193,18 @@ struct Proxy::Shell::Pair : std::enable_shared_from_this<Pair> {
 Result<void> Proxy::Shell::open() {
   for (const Address* one : {&config_.listen, &config_.to}) {
     if (one->kind == Address::Kind::Tcp) continue;
-    return fail(ErrorCode::BadParameter, "{}: the proxy goes between TCP addresses; write tcp://HOST:PORT", one->text);
+    return fail(ErrorCode::BadParameter,
+                {"{}: the proxy goes between TCP addresses; write tcp://HOST:PORT",
+                 "{}: el proxy va entre direcciones TCP; escriba tcp://EQUIPO:PUERTO"},
+                one->text);
   }
   ErrorText error;
   tcp::resolver resolver(context_);
   robot_ = resolver.resolve(config_.to.host, std::to_string(config_.to.port), error);
-  if (error) return fail(ErrorCode::LinkLost, "{}: no such host: {}", config_.to.text, error.message());
+  if (error) {
+    return fail(ErrorCode::LinkLost, {"{}: no such host: {}", "{}: no existe ese equipo: {}"}, config_.to.text,
+                error.message());
+  }
   if (auto listens = listen_at(acceptor_, config_.listen); !listens) return listens;
   accept();
   return {};
@@ -219,16 +226,17 @@ void Proxy::Shell::welcome(tcp::socket socket) {
   if (next_number_ == 0) begun_s_ = steady_s();
   const auto pair = std::make_shared<Pair>(*this, std::move(socket), next_number_++);
   pairs_.insert(pair);
-  log(fmt::format("{:.3f} s: connection {} from {}:{}", now_s(), pair->number, from.address().to_string(),
-                  from.port()));
+  log(say({"{:.3f} s: connection {} from {}:{}", "{:.3f} s: conexión {} desde {}:{}"}, now_s(), pair->number,
+          from.address().to_string(), from.port()));
   pair->begin();
 }
 
 void Proxy::Shell::drop(const Shared& pair) {
   if (pairs_.erase(pair) == 0) return;
-  log(fmt::format("{:.3f} s: connection {} {}: to the robot {}; to the controller {}", now_s(), pair->number,
-                  pair->way.reset() ? "cut off" : "ended", pair->way.counts(Way::ToRobot).text(),
-                  pair->way.counts(Way::ToController).text()));
+  log(say({"{:.3f} s: connection {} {}: to the robot {}; to the controller {}",
+           "{:.3f} s: la conexión {} {}: hacia el robot {}; hacia el controlador {}"},
+          now_s(), pair->number, pair->way.reset() ? Text{"cut off", "se cortó"} : Text{"ended", "terminó"},
+          pair->way.counts(Way::ToRobot).text(), pair->way.counts(Way::ToController).text()));
   pair->timer.cancel();
   for (Pair::Side& side : pair->sides) {
     ErrorText ignored;

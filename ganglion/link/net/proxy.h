@@ -13,7 +13,7 @@ struct ProxyConfig {
   Address to;  ///< The robot.
   LineFaults faults;
   std::uint64_t seed = 0;
-  std::function<void(const std::string&)> log;  ///< What happens, one line each.
+  std::function<void(const Sentence&)> log;  ///< What happens, one line each.
 };
 
 /// Stands between controllers and a robot, and does to every connection what its faults say (FaultyConnection). Time

@@ -38,13 +38,16 @@ class Server::Shell {
 
   Result<void> open() {
     if (address_.kind == Address::Kind::SerialOverTcp) {
-      return fail(ErrorCode::BadParameter, "{}: listening is done at tcp://HOST:PORT or a serial line", address_.text);
+      return fail(ErrorCode::BadParameter,
+                  {"{}: listening is done at tcp://HOST:PORT or a serial line",
+                   "{}: se escucha en tcp://EQUIPO:PUERTO o en una línea serie"},
+                  address_.text);
     }
     return address_.kind == Address::Kind::Tcp ? open_tcp() : open_serial();
   }
   const Address& address() const noexcept { return address_; }
 
-  void serve(const std::function<bool()>& stop, const std::string& reason) {
+  void serve(const std::function<bool()>& stop, const Sentence& reason) {
     tick();
     while (!stop()) {
       context_.restart();
@@ -155,8 +158,10 @@ class Server::Shell {
     if (!error) raw.assign(::dup(port.native_handle()), error);
     if (!error) raw.non_blocking(true, error);
     if (error) {
-      return fail(ErrorCode::LinkLost, "{}: {}. Is it plugged in, and may you use it (group dialout)?", address_.text,
-                  error.message());
+      return fail(ErrorCode::LinkLost,
+                  {"{}: {}. Is it plugged in, and may you use it (group dialout)?",
+                   "{}: {}. ¿Está enchufado, y puede usted usarlo (grupo dialout)?"},
+                  address_.text, error.message());
     }
     serial_ = std::make_shared<Serial>(*this, std::move(raw));
     serial_->id = end_.open(Carrier::Packets, address_.text, steady_s());
@@ -256,7 +261,7 @@ Result<std::unique_ptr<Server>> Server::listen(RobotEnd& end, const Address& add
 
 const Address& Server::address() const noexcept { return shell_->address(); }
 
-void Server::serve(const std::function<bool()>& stop, const std::string& reason) { shell_->serve(stop, reason); }
+void Server::serve(const std::function<bool()>& stop, const Sentence& reason) { shell_->serve(stop, reason); }
 
 std::string random_token() {
   std::random_device source;

@@ -20,7 +20,7 @@ class Server {
   /// Where it listens, the port it got included.
   const Address& address() const noexcept;
   /// Until stop() says so, which is asked every twentieth of a second; then everybody is told `reason` and closed.
-  void serve(const std::function<bool()>& stop, const std::string& reason);
+  void serve(const std::function<bool()>& stop, const Sentence& reason);
 
  private:
   class Shell;

@@ -38,7 +38,8 @@ Result<void> LinkedRobot::take(const wire::Act& act, double max_ttl_s) {
   if (!read_acts(act, taken_)) {
     const std::size_t robots = taken_.size();
     return fail(ErrorCode::BadParameter,
-                "an Act here must have {} values, and {} (or none) of ttl_s, origins and reasons, for {} robot{}",
+                {"an Act here must have {} values, and {} (or none) of ttl_s, origins and reasons, for {} robot{}",
+                 "un Act debe tener aquí {} valores, y {} (o ninguno) de ttl_s, origins y reasons, para {} robot{}"},
                 robots * taken_.front().values.size(), robots * taken_.front().ttl_s.size(), robots,
                 robots == 1 ? "" : "s");
   }

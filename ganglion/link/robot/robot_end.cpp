@@ -6,6 +6,7 @@
 
 #include "ganglion/base/expects.h"
 #include "ganglion/base/text.h"
+#include "ganglion/link/wire/words.h"
 
 namespace ganglion::link {
 namespace {
@@ -14,15 +15,6 @@ constexpr std::size_t kEnoughPendingBytes = std::size_t{64} << 10;  // then a sl
 constexpr int kRefusedAtOnce = 8;
 constexpr std::size_t kMaxPendingBytes = std::size_t{3} << 20;  // then it is dropped
 constexpr double kInf = std::numeric_limits<double>::infinity();
-
-/// As it may stand in a message: what somebody sent may be quoted in it.
-std::string plain(std::string_view reason) {
-  std::string text = printable(reason, 500);
-  for (char& byte : text) {
-    if (static_cast<unsigned char>(byte) >= 0x80) byte = '?';
-  }
-  return text;
-}
 
 }  // namespace
 
@@ -35,7 +27,9 @@ RobotEnd::PeerId RobotEnd::open(Carrier carrier, std::string name, double now_s)
   const PeerId id = next_id_++;
   Peer& peer = peers_.try_emplace(id, id, carrier, std::move(name), now_s).first->second;
   if (peers_.size() > config_.max_peers) {
-    refuse(peer, wire::TOO_MANY, fmt::format("no more than {} connections; try again later", config_.max_peers));
+    refuse(peer, wire::TOO_MANY,
+           say({"no more than {} connections; try again later", "no más de {} conexiones; pruebe más tarde"},
+               config_.max_peers));
   }
   return id;
 }
@@ -56,11 +50,11 @@ void RobotEnd::receive(PeerId id, std::string_view bytes, double now_s) {
 void RobotEnd::read(PeerId id, Peer& peer, double now_s) {
   while (peer.state != Peer::State::Closing && peer.state != Peer::State::Gone) {
     const auto payload = peer.reader.next();
-    if (!payload) return refuse(peer, wire::BROKEN, payload.error().message);
+    if (!payload) return refuse(peer, wire::BROKEN, payload.error().what);
     if (!*payload) return;
     const auto kind = decode(**payload, *peer.reader.encoding(), in_);
     if (!kind) {
-      refuse(peer, wire::BROKEN, kind.error().message);
+      refuse(peer, wire::BROKEN, kind.error().what);
     } else {
       handle(*kind, id, peer, now_s);
     }
@@ -73,7 +67,7 @@ void RobotEnd::handle(FrameKind kind, PeerId id, Peer& peer, double now_s) {
   if (!peer.accepted()) {
     // On a serial line, what is left of an earlier connection.
     if (peer.carrier == Carrier::Stream) {
-      refuse(peer, wire::BROKEN, fmt::format("say Hello before {}", name_of(kind)));
+      refuse(peer, wire::BROKEN, say({"say Hello before {}", "diga Hello antes de {}"}, name_of(kind)));
     }
     return;
   }
@@ -85,16 +79,16 @@ void RobotEnd::handle(FrameKind kind, PeerId id, Peer& peer, double now_s) {
       beat_.set_time_s(now_s);
       return send(peer, beat_);
     case FrameKind::Bye:
-      if (peer.state == Peer::State::Commanding) end_session(fmt::format("{} said bye", session_->name));
+      if (peer.state == Peer::State::Commanding) end_session(say({"{} said bye", "{} se despidió"}, session_->name));
       peer.state = peer.carrier == Carrier::Stream ? Peer::State::Closing : Peer::State::New;
       return stir(peer);
     case FrameKind::Act:
     case FrameKind::Step:
     case FrameKind::Reset:
       if (peer.state == Peer::State::Commanding) return command(kind, peer, now_s);
-      return refuse(peer, wire::BROKEN, fmt::format("who watches sends no {}", name_of(kind)));
+      return refuse(peer, wire::BROKEN, say({"who watches sends no {}", "quien mira no envía {}"}, name_of(kind)));
     default:
-      return refuse(peer, wire::BROKEN, fmt::format("{} is for the robot to send", name_of(kind)));
+      return refuse(peer, wire::BROKEN, say({"{} is for the robot to send", "{} lo envía el robot"}, name_of(kind)));
   }
 }
 
@@ -122,38 +116,46 @@ void RobotEnd::send_sense(Peer& peer, bool everything) {
 }
 
 void RobotEnd::check_sent(Peer& peer, const Result<void>& written) {
-  if (!written) return refuse(peer, wire::REFUSED, written.error().message + ": let fewer robots share the link");
+  if (!written) {
+    return refuse(peer, wire::REFUSED,
+                  say({"{}: let fewer robots share the link", "{}: haga que menos robots compartan el enlace"},
+                      written.error().what));
+  }
   if (peer.pending() <= kMaxPendingBytes) return;
   if (peer.carrier == Carrier::Packets) {  // nobody at the other end of the cable
     peer.out.clear();
     peer.sent = 0;
     return;
   }
-  log(fmt::format("{} does not read what it is sent: closed", peer.name));
+  log(say({"{} does not read what it is sent: closed", "{} no lee lo que se le envía: se cerró"}, peer.name));
   peer.state = Peer::State::Gone;
   stir(peer);
 }
 
-void RobotEnd::refuse(Peer& peer, wire::ByeCode code, const std::string& reason) {
+void RobotEnd::refuse(Peer& peer, wire::ByeCode code, const Sentence& reason) {
   if (peer.state == Peer::State::Closing || peer.state == Peer::State::Gone) return;
   wire::Bye bye;
   bye.set_code(code);
-  bye.set_reason(plain(reason));
+  write_words(reason, bye);
   const bool commanding = peer.state == Peer::State::Commanding;
   peer.state = Peer::State::New;
   // Who has not told an encoding is answered so that a person can read it.
   if (!peer.writer) peer.writer.emplace(peer.carrier, peer.reader.encoding().value_or(Encoding::Json));
   send(peer, bye);
   if (peer.carrier == Carrier::Stream) peer.state = Peer::State::Closing;
-  log(fmt::format("{}: closed: {}", peer.name, bye.reason()));
-  if (commanding && (code == wire::BROKEN || code == wire::REFUSED)) end_session("it broke the rules of the link");
+  log(say({"{}: closed: {}", "{}: se cerró: {}"}, peer.name, read_words(bye)));
+  if (commanding && (code == wire::BROKEN || code == wire::REFUSED)) {
+    end_session(say({"it broke the rules of the link", "no cumplió las reglas del enlace"}));
+  }
 }
 
 void RobotEnd::lost(PeerId id, double now_s) {
   if (session_ && session_->peer == id) {
     session_->peer.reset();
     session_->lost_s = now_s;
-    log(fmt::format("{}: connection lost; safe values once its commands run out", session_->name));
+    log(say({"{}: connection lost; safe values once its commands run out",
+             "{}: conexión perdida; valores seguros cuando venzan sus mandos"},
+            session_->name));
   }
   peers_.erase(id);
 }
@@ -200,7 +202,8 @@ void RobotEnd::poll(double now_s) {
     if (peer.carrier == Carrier::Packets) continue;
     const bool late = peer.state == Peer::State::New && now_s >= peer.opened_s + config_.handshake_s;
     if (late && refused++ < kRefusedAtOnce) {  // the rest in the next call, so that a tick need not wait
-      refuse(peer, wire::TOO_SLOW, fmt::format("no Hello within {} s", shortest(config_.handshake_s)));
+      refuse(peer, wire::TOO_SLOW,
+             say({"no Hello within {} s", "ningún Hello en {} s"}, shortest(config_.handshake_s)));
     }
     if (peer.pending() == 0) peer.unread_s = now_s;
     if (now_s < peer.unread_s + config_.unread_s) continue;
@@ -225,7 +228,7 @@ double RobotEnd::due_s() const {
   return due_s;
 }
 
-void RobotEnd::shut_down(const std::string& reason, double) {
+void RobotEnd::shut_down(const Sentence& reason, double) {
   for (auto& [id, peer] : peers_) refuse(peer, wire::SHUTDOWN, reason);
   if (session_) end_session(reason);
   running_ = false;

@@ -19,8 +19,8 @@ struct RobotEndConfig {
   double silent_after_s = 10;  ///< The same from the last word of a connection that stands.
   bool lock_step = true;
   bool free_running = true;
-  std::function<std::string()> token;           ///< Makes the token of a session.
-  std::function<void(const std::string&)> log;  ///< What happens, one line each.
+  std::function<std::string()> token;        ///< Makes the token of a session.
+  std::function<void(const Sentence&)> log;  ///< What happens, one line each.
 };
 
 /// The robot's end of the link: an application, whoever talks to it, and the rules of docs/link.md. It knows no socket
@@ -54,7 +54,7 @@ class RobotEnd {
   void poll(double now_s);
   double due_s() const;
   /// Everybody is told, and the robot takes its safe values.
-  void shut_down(const std::string& reason, double now_s);
+  void shut_down(const Sentence& reason, double now_s);
 
   const LinkedRobot& robot() const noexcept { return robot_; }
   /// How many controllers have left in order, or were made to.
@@ -84,7 +84,7 @@ class RobotEnd {
   void step(Peer& peer);
   void reset(Peer& peer);
   void run_tick(double now_s);
-  void end_session(const std::string& why);
+  void end_session(const Sentence& why);
   /// Whether a step of that length can be carried out at that tick; else the reason, or the answer, is on its way.
   bool due(std::uint32_t tick, double& step_s, Peer& peer);
 
@@ -99,8 +99,8 @@ class RobotEnd {
   void check_sent(Peer& peer, const Result<void>& written);
   void send_sense(Peer& peer, bool everything);
   void watch();
-  void refuse(Peer& peer, wire::ByeCode code, const std::string& reason);
-  void log(const std::string& line) const {
+  void refuse(Peer& peer, wire::ByeCode code, const Sentence& reason);
+  void log(const Sentence& line) const {
     if (config_.log) config_.log(line);
   }
   bool place_free(double now_s) const noexcept;

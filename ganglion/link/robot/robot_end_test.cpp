@@ -193,7 +193,10 @@ TEST_F(RobotEndTest, EchoesAResetAndSaysWhyItCannot) {
             "{\"reset\":{\"seed\":\"18446744073709551615\",\"episode\":2}}\n"
             "{\"sense\":{\"values\":[0,0,\"NaN\"],\"ages_s\":[0,0]}}\n");
   robot_.refuses_reset = true;
-  EXPECT_NE(say(peer, "{\"reset\":{}}\n").find("cannot be reset: no place to stand"), std::string::npos);
+  const std::string answer = say(peer, "{\"reset\":{}}\n");
+  EXPECT_NE(answer.find("\"reason\":\"the robot cannot be reset: no place to stand\""), std::string::npos) << answer;
+  EXPECT_NE(answer.find("\"reason_es\":\"el robot no se puede reiniciar: no hay dónde estar\""), std::string::npos)
+      << answer;
 }
 
 TEST_F(RobotEndTest, AnswersHeartbeatsWithItsOwnTime) {

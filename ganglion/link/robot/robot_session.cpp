@@ -14,7 +14,8 @@ constexpr double kNoLimit_s = std::numeric_limits<double>::infinity();
 
 void RobotEnd::greet(PeerId id, Peer& peer, double now_s) {
   if (peer.accepted() && peer.carrier == Carrier::Stream) {
-    return refuse(peer, wire::BROKEN, "Hello is said once in a connection");
+    return refuse(peer, wire::BROKEN,
+                  say({"Hello is said once in a connection", "Hello se dice una sola vez en una conexión"}));
   }
   const bool again = commands(id);  // over a serial line, which was unplugged or whose controller was started again
   if (again) {
@@ -45,15 +46,17 @@ void RobotEnd::greet(PeerId id, Peer& peer, double now_s) {
 bool RobotEnd::admit(PeerId id, Peer& peer, bool again, double now_s) {
   if (in_.hello.major() != 1) {
     refuse(peer, wire::VERSION,
-           fmt::format("this robot speaks protocol 1.0, not {}.{}: use a controller of the same major version",
-                       in_.hello.major(), in_.hello.minor()));
+           say({"this robot speaks protocol 1.0, not {}.{}: use a controller of the same major version",
+                "este robot habla el protocolo 1.0, no el {}.{}: use un controlador de la misma versión mayor"},
+               in_.hello.major(), in_.hello.minor()));
     return false;
   }
   if (in_.hello.role() == wire::WATCH) {
     const auto watching = std::count_if(peers_.begin(), peers_.end(),
                                         [](const auto& one) { return one.second.state == Peer::State::Watching; });
     if (static_cast<std::size_t>(watching) >= config_.max_watchers) {
-      refuse(peer, wire::TOO_MANY, fmt::format("no more than {} may watch", config_.max_watchers));
+      refuse(peer, wire::TOO_MANY,
+             say({"no more than {} may watch", "no pueden mirar más de {}"}, config_.max_watchers));
       return false;
     }
     peer.state = Peer::State::Watching;
@@ -62,8 +65,9 @@ bool RobotEnd::admit(PeerId id, Peer& peer, bool again, double now_s) {
   const bool able = in_.hello.pace() == wire::LOCK_STEP ? config_.lock_step : config_.free_running;
   if (!able) {
     refuse(peer, wire::REFUSED,
-           fmt::format("this robot cannot go {}; ask for the other pace",
-                       in_.hello.pace() == wire::LOCK_STEP ? "in lock-step" : "free-running"));
+           say({"this robot cannot go {}; ask for the other pace", "este robot no puede ir {}; pida el otro ritmo"},
+               in_.hello.pace() == wire::LOCK_STEP ? Text{"in lock-step", "paso a paso"}
+                                                   : Text{"free-running", "a su propio ritmo"}));
     return false;
   }
   return in_.hello.token().empty() ? begin(id, peer, again, now_s) : resume(id, peer, now_s);
@@ -72,18 +76,22 @@ bool RobotEnd::admit(PeerId id, Peer& peer, bool again, double now_s) {
 bool RobotEnd::resume(PeerId id, Peer& peer, double now_s) {
   if (!session_ || session_->token != in_.hello.token()) {
     refuse(peer, wire::NO_SESSION,
-           session_ ? fmt::format("that session is over: {} commands the robot now", session_->name)
-                    : std::string("that session is over: the robot was started again, or told goodbye"));
+           session_
+               ? say({"that session is over: {} commands the robot now", "esa sesión terminó: ahora {} manda el robot"},
+                     session_->name)
+               : say({"that session is over: the robot was started again, or told goodbye",
+                      "esa sesión terminó: el robot se reinició o alguien se despidió de él"}));
     return false;
   }
   if (session_->peer && session_->peer != id) {
-    refuse(peers_.at(*session_->peer), wire::REPLACED, "the session goes on over another connection");
+    refuse(peers_.at(*session_->peer), wire::REPLACED,
+           say({"the session goes on over another connection", "la sesión sigue por otra conexión"}));
   }
   session_->peer = id;
   session_->heard_s = now_s;
   peer.state = Peer::State::Commanding;
   peer.reader.limit(kMaxFrameBytes);
-  log(fmt::format("{} is back from {}", session_->name, peer.name));
+  log(say({"{} is back from {}", "{} vuelve desde {}"}, session_->name, peer.name));
   return true;
 }
 
@@ -96,11 +104,15 @@ bool RobotEnd::place_free(double now_s) const noexcept {
 bool RobotEnd::begin(PeerId id, Peer& peer, bool again, double now_s) {
   if (!again && !place_free(now_s)) {
     refuse(peer, wire::BUSY,
-           fmt::format("{} commands this robot: watch (role WATCH), or come back when it is done", session_->name));
+           say({"{} commands this robot: watch (role WATCH), or come back when it is done",
+                "{} manda este robot: mire (papel WATCH), o vuelva cuando acabe"},
+               session_->name));
     return false;
   }
   if (session_ && session_->peer) {
-    refuse(peers_.at(*session_->peer), wire::REPLACED, "silent for too long: another controller took the place");
+    refuse(peers_.at(*session_->peer), wire::REPLACED,
+           say({"silent for too long: another controller took the place",
+                "demasiado tiempo en silencio: otro controlador tomó el lugar"}));
   }
   Session session;
   session.token = config_.token();
@@ -114,7 +126,7 @@ bool RobotEnd::begin(PeerId id, Peer& peer, bool again, double now_s) {
   robot_.take_safe_values();
   if (session_->pace == wire::FREE_RUNNING && !running_) next_tick_s_ = now_s + robot_.description().tick_s;
   running_ = session_->pace == wire::FREE_RUNNING;
-  log(fmt::format("{} commands from {}", session_->name, peer.name));
+  log(say({"{} commands from {}", "{} manda desde {}"}, session_->name, peer.name));
   return true;
 }
 
@@ -123,7 +135,9 @@ void RobotEnd::command(FrameKind kind, Peer& peer, double now_s) {
   if (kind == FrameKind::Reset) return reset(peer);
   if (kind == FrameKind::Act) return act(peer, now_s);
   if (session_->pace == wire::FREE_RUNNING) {
-    return refuse(peer, wire::BROKEN, "Step is for lock-step: a free-running robot has a clock of its own");
+    return refuse(peer, wire::BROKEN,
+                  say({"Step is for lock-step: a free-running robot has a clock of its own",
+                       "Step es para ir paso a paso: un robot que va a su propio ritmo tiene su propio reloj"}));
   }
   step(peer);
 }
@@ -134,12 +148,17 @@ bool RobotEnd::due(std::uint32_t tick, double& step_s, Peer& peer) {
     return false;
   }
   if (tick > robot_.tick()) {
-    refuse(peer, wire::BROKEN, fmt::format("a command for tick {}, but the robot is at {}", tick, robot_.tick()));
+    refuse(
+        peer, wire::BROKEN,
+        say({"a command for tick {}, but the robot is at {}", "un mando para el ciclo {}, pero el robot va por el {}"},
+            tick, robot_.tick()));
     return false;
   }
   if (step_s == 0) step_s = robot_.description().tick_s;
   if (!(step_s > 0 && step_s <= 3600)) {
-    refuse(peer, wire::BROKEN, fmt::format("step_s is {}, must be > 0 and at most 3600", shortest(step_s)));
+    refuse(peer, wire::BROKEN,
+           say({"step_s is {}, must be > 0 and at most 3600", "step_s es {}, debe ser > 0 y como máximo 3600"},
+               shortest(step_s)));
     return false;
   }
   return true;
@@ -151,7 +170,7 @@ void RobotEnd::act(Peer& peer, double now_s) {
   if (lock_step && !due(in_.act.tick(), step_s, peer)) return;
   if (!lock_step && session_->acted && in_.act.tick() <= *session_->acted) return;
   if (auto taken = robot_.take(in_.act, lock_step ? kNoLimit_s : config_.max_ttl_s); !taken) {
-    return refuse(peer, wire::BROKEN, taken.error().message);
+    return refuse(peer, wire::BROKEN, taken.error().what);
   }
   session_->acted = in_.act.tick();
   session_->aged_s = now_s;
@@ -166,7 +185,9 @@ void RobotEnd::step(Peer& peer) {
   double step_s = in_.step.step_s();
   const std::uint32_t ticks = in_.step.ticks();
   if (ticks < 1 || ticks > 1000) {
-    return refuse(peer, wire::BROKEN, fmt::format("Step asks for {} ticks, must be 1 to 1000", ticks));
+    return refuse(
+        peer, wire::BROKEN,
+        say({"Step asks for {} ticks, must be 1 to 1000", "Step pide {} ciclos, deben ser de 1 a 1000"}, ticks));
   }
   if (!due(in_.step.tick(), step_s, peer)) return;
   sense_.clear_earlier();
@@ -181,7 +202,8 @@ void RobotEnd::step(Peer& peer) {
 
 void RobotEnd::reset(Peer& peer) {
   if (auto done = robot_.reset(in_.reset.seed(), in_.reset.episode()); !done) {
-    return refuse(peer, wire::REFUSED, fmt::format("the robot cannot be reset: {}", done.error().message));
+    return refuse(peer, wire::REFUSED,
+                  say({"the robot cannot be reset: {}", "el robot no se puede reiniciar: {}"}, done.error().what));
   }
   session_->acted.reset();
   for (auto& [id, other] : peers_) other.told.clear();
@@ -202,9 +224,9 @@ void RobotEnd::run_tick(double now_s) {
   watch();
 }
 
-void RobotEnd::end_session(const std::string& why) {
+void RobotEnd::end_session(const Sentence& why) {
   robot_.take_safe_values();
-  log(fmt::format("session ended: {}", why));
+  log(say({"session ended: {}", "la sesión terminó: {}"}, why));
   session_.reset();
   ++sessions_ended_;
 }

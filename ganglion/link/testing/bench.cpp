@@ -18,7 +18,7 @@ Bench::Bench(Carrier carrier, int robots) : robot(robots), end(robot, nullptr, r
 
 std::unique_ptr<RemoteApplication> Bench::connect(const RemoteConfig& config) {
   auto made = RemoteApplication::connect(std::move(own), robot.description(), robot.robots(), config);
-  if (!made) error = made.error().message;
+  if (!made) error = made.error().what.en;
   return made ? std::move(*made) : nullptr;
 }
 

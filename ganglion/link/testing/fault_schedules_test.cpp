@@ -71,7 +71,7 @@ void drive(RemoteApplication& remote, FaultyMemoryLine& line, Outcome& outcome) 
     remote.step(act, kStep_s);
     if (remote.failure() == nullptr) took(begun_s);
   }
-  if (remote.failure() != nullptr) outcome.failure = remote.failure()->message;
+  if (remote.failure() != nullptr) outcome.failure = remote.failure()->what.en;
 }
 
 Outcome hold(const Manner& manner, const LineFaults& faults, std::uint64_t seed) {
@@ -94,7 +94,7 @@ Outcome hold(const Manner& manner, const LineFaults& faults, std::uint64_t seed)
   remote_config.end.pace = manner.pace;
   auto remote = RemoteApplication::connect(std::move(made), robot.description(), 1, remote_config);
   if (!remote) {
-    outcome.failure = remote.error().message;
+    outcome.failure = remote.error().what.en;
     outcome.broken = watched.broken();
     return outcome;
   }

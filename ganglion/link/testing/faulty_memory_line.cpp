@@ -38,7 +38,7 @@ void FaultyMemoryLine::close() noexcept {
 
 Result<void> FaultyMemoryLine::send(std::string_view bytes, double) {
   Connection* connection = current();
-  if (connection == nullptr || connection->controller_gone) return fail(ErrorCode::LinkLost, "broken");
+  if (connection == nullptr || connection->controller_gone) return fail(ErrorCode::LinkLost, {"broken", "cortada"});
   connection->way.push(Way::ToRobot, bytes, now_s_);
   carry();
   return {};
@@ -120,7 +120,7 @@ Result<std::size_t> FaultyMemoryLine::receive(std::span<char> room, double until
       return count;
     }
     const Connection* connection = current();
-    if (connection == nullptr || connection->controller_gone) return fail(ErrorCode::LinkLost, "broken");
+    if (connection == nullptr || connection->controller_gone) return fail(ErrorCode::LinkLost, {"broken", "cortada"});
     if (now_s_ >= until_s) {
       wait_until(now_s_ + kInstant_s);
       return std::size_t{0};

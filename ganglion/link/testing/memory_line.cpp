@@ -5,7 +5,7 @@
 namespace ganglion::link {
 
 Result<void> MemoryLine::connect(double) {
-  if (!plugged_) return fail(ErrorCode::LinkLost, "nothing answers");
+  if (!plugged_) return fail(ErrorCode::LinkLost, {"nothing answers", "nada responde"});
   close();
   if (!peer_) peer_ = end_.open(carrier_, address_, now_s_);
   open_ = true;
@@ -38,7 +38,7 @@ std::string MemoryLine::passed(Way way, std::string_view bytes) {
 }
 
 Result<void> MemoryLine::send(std::string_view bytes, double) {
-  if (broken()) return fail(ErrorCode::LinkLost, "broken");
+  if (broken()) return fail(ErrorCode::LinkLost, {"broken", "cortada"});
   const std::string arrived = passed(Way::ToRobot, bytes);
   if (!arrived.empty() && !reset_) {
     end_.receive(*peer_, arrived, now_s_);
@@ -69,7 +69,7 @@ Result<std::size_t> MemoryLine::receive(std::span<char> room, double until_s) {
       return count;
     }
     const bool ended = carrier_ == Carrier::Stream && !silent_ && open_ && (end_.closing(*peer_) || end_.gone(*peer_));
-    if (broken() || ended) return fail(ErrorCode::LinkLost, "broken");
+    if (broken() || ended) return fail(ErrorCode::LinkLost, {"broken", "cortada"});
     if (now_s_ >= until_s) return std::size_t{0};
     wait_until(std::min(until_s, std::max(now_s_, end_.due_s())));
   }

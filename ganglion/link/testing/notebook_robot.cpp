@@ -17,7 +17,7 @@ NotebookRobot::NotebookRobot(int robots) : ways_(static_cast<std::size_t>(robots
 }
 
 Result<void> NotebookRobot::reset(std::uint64_t, std::uint32_t) {
-  if (refuses_reset) return fail(ErrorCode::BadParameter, "no place to stand");
+  if (refuses_reset) return fail(ErrorCode::BadParameter, {"no place to stand", "no hay dónde estar"});
   std::fill(ways_.begin(), ways_.end(), Ways{});
   done_.clear();
   tick_ = 0;

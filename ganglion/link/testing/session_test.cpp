@@ -48,7 +48,7 @@ void check_cut(MemoryLine::Cut cut, const std::vector<double>& expected, const s
   const auto remote = bench.connect();
   ASSERT_NE(remote, nullptr) << bench.error;
   const std::vector<double> sensed = drive(*remote, kTicks);
-  ASSERT_EQ(remote->failure(), nullptr) << remote->failure()->message;
+  ASSERT_EQ(remote->failure(), nullptr) << remote->failure()->what.en;
   ASSERT_TRUE(same_bits(sensed, expected));
   ASSERT_EQ(bench.robot.done(), done);
   ASSERT_GE(bench.line->connections(), 2);  // more while the place is held for the first one
@@ -132,7 +132,7 @@ TEST(LinkSession, GivesUpInWordsWhenTheRobotIsUnplugged) {
   remote->step(act, 0.1);
   ASSERT_NE(remote->failure(), nullptr);
   EXPECT_EQ(remote->failure()->code, ErrorCode::LinkLost);
-  EXPECT_NE(remote->failure()->message.find("no answer for 15 s"), std::string::npos) << remote->failure()->message;
+  EXPECT_NE(remote->failure()->what.en.find("no answer for 15 s"), std::string::npos) << remote->failure()->what.en;
   EXPECT_NEAR(bench.line->now_s() - before_s, 15, 1);
   remote->sense(sense);  // goes on giving what came last
   EXPECT_EQ(sense[0].tick, 10u);
@@ -142,8 +142,8 @@ TEST(LinkSession, KeepsAsManyRobotsAsTheExperimentHas) {
   Bench bench(Carrier::Stream, 2);
   const auto remote = RemoteApplication::connect(std::move(bench.own), bench.robot.description(), 3, {});
   ASSERT_FALSE(remote);
-  EXPECT_NE(remote.error().message.find("there are 2 robots, the experiment has 3"), std::string::npos)
-      << remote.error().message;
+  EXPECT_NE(remote.error().what.en.find("there are 2 robots, the experiment has 3"), std::string::npos)
+      << remote.error().what.en;
 }
 
 TEST(LinkSession, SaysWhereTheRobotIsNotTheOneOfTheFile) {
@@ -153,7 +153,7 @@ TEST(LinkSession, SaysWhereTheRobotIsNotTheOneOfTheFile) {
   file.commands[0].name = "drive_";
   const auto remote = RemoteApplication::connect(std::move(bench.own), file, 1, {});
   ASSERT_FALSE(remote);
-  const std::string& message = remote.error().message;
+  const std::string& message = remote.error().what.en;
   EXPECT_NE(message.find("sonar.range: unit: the robot has \"m\", the file \"cm\""), std::string::npos) << message;
   EXPECT_NE(message.find("drive_: the robot has no such command; did you mean \"drive\"?"), std::string::npos)
       << message;
@@ -164,7 +164,7 @@ TEST(LinkSession, MapsChannelsByName) {
   RobotDescription file = bench.robot.description();
   std::swap(file.sensations[0], file.sensations[1]);
   const auto remote = RemoteApplication::connect(std::move(bench.own), file, 1, {});
-  ASSERT_TRUE(remote) << remote.error().message;
+  ASSERT_TRUE(remote) << remote.error().what.en;
   ASSERT_TRUE((*remote)->reset(1, 0));
   std::vector<SenseFrame> sense = {make_sense_frame(file)};
   std::vector<ActFrame> act = {make_act_frame(file)};
@@ -217,7 +217,7 @@ TEST_P(CutFreeLink, LeavesTheRobotSafeWithinHalfASecond) {
     const auto cut = bench.connect(free_running());
     ASSERT_NE(cut, nullptr) << bench.error;
     drive(*cut, 60);
-    ASSERT_EQ(cut->failure(), nullptr) << cut->failure()->message << " at byte " << at;
+    ASSERT_EQ(cut->failure(), nullptr) << cut->failure()->what.en << " at byte " << at;
     ASSERT_FALSE(stale) << "at byte " << at;
     ASSERT_GE(bench.line->connections(), 2);
   }

@@ -71,12 +71,16 @@ Result<FrameKind> decode_binary(std::string_view payload, Messages& into) {
   const auto length = read_short_varint(payload, at);
   if ((tag & 7) == kLengthDelimited && message != nullptr && length && at + *length == payload.size()) {
     if (!message->ParseFromArray(payload.data() + at, static_cast<int>(*length))) {
-      return fail(ErrorCode::Syntax, "this is no {} frame of protocol 1", kNames[tag >> 3]);
+      return fail(ErrorCode::Syntax, {"this is no {} frame of protocol 1", "esto no es una trama {} del protocolo 1"},
+                  kNames[tag >> 3]);
     }
     return static_cast<FrameKind>(tag >> 3);
   }
   if (!into.frame.ParseFromArray(payload.data(), static_cast<int>(payload.size()))) {
-    return fail(ErrorCode::Syntax, "a binary frame of {} bytes is no message of protocol 1", payload.size());
+    return fail(ErrorCode::Syntax,
+                {"a binary frame of {} bytes is no message of protocol 1",
+                 "una trama binaria de {} bytes no es un mensaje del protocolo 1"},
+                payload.size());
   }
   return unwrap(into);
 }
@@ -87,7 +91,7 @@ Result<FrameKind> decode_json(std::string_view payload, Messages& into) {
   into.frame.Clear();
   const auto status = util::JsonStringToMessage({payload.data(), payload.size()}, &into.frame, options);
   if (!status.ok()) {
-    return fail(ErrorCode::Syntax, "a JSON line cannot be read: {}",
+    return fail(ErrorCode::Syntax, {"a JSON line cannot be read: {}", "no se puede leer una línea JSON: {}"},
                 printable(std::string_view(status.message().data(), status.message().size()), 200));
   }
   return unwrap(into);
@@ -98,7 +102,9 @@ Result<void> write_json(FrameKind kind, const google::protobuf::Message& message
   options.preserve_proto_field_names = true;
   std::string json;
   if (!util::MessageToJsonString(message, &json, options).ok()) {
-    return fail(ErrorCode::BadParameter, "a {} frame holds text that is no UTF-8", name_of(kind));
+    return fail(ErrorCode::BadParameter,
+                {"a {} frame holds text that is no UTF-8", "una trama {} contiene texto que no es UTF-8"},
+                name_of(kind));
   }
   payload = fmt::format("{{\"{}\":{}}}", kKeys[static_cast<std::size_t>(kind)], json);
   return {};
@@ -130,8 +136,9 @@ Result<FrameKind> decode(std::string_view payload, Encoding encoding, Messages& 
 
 Result<void> FrameWriter::append_as(FrameKind kind, const google::protobuf::Message& message, std::string& out) {
   if (message.ByteSizeLong() > kMaxFrameBytes) {
-    return fail(ErrorCode::TooLarge, "a {} frame would have {} bytes; the limit is {}", name_of(kind),
-                message.ByteSizeLong(), kMaxFrameBytes);
+    return fail(ErrorCode::TooLarge,
+                {"a {} frame would have {} bytes; the limit is {}", "una trama {} tendría {} bytes; el límite es {}"},
+                name_of(kind), message.ByteSizeLong(), kMaxFrameBytes);
   }
   if (encoding_ == Encoding::Json) {
     if (auto written = write_json(kind, message, payload_); !written) return written;
@@ -139,8 +146,9 @@ Result<void> FrameWriter::append_as(FrameKind kind, const google::protobuf::Mess
     write_binary(kind, message, payload_);
   }
   if (payload_.size() > kMaxFrameBytes) {
-    return fail(ErrorCode::TooLarge, "a {} frame would have {} bytes; the limit is {}", name_of(kind), payload_.size(),
-                kMaxFrameBytes);
+    return fail(ErrorCode::TooLarge,
+                {"a {} frame would have {} bytes; the limit is {}", "una trama {} tendría {} bytes; el límite es {}"},
+                name_of(kind), payload_.size(), kMaxFrameBytes);
   }
   append_frame(payload_, carrier_, encoding_, out);
   return {};

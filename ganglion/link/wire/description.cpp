@@ -32,11 +32,15 @@ Result<SensationChannel> read_sensation(const wire::Sensation& message) {
   channel.name = message.name();
   channel.unit = message.unit();
   if (channel.unit.size() > kMaxNameBytes || message.elements_size() > kMaxElements) {
-    return fail(ErrorCode::TooLarge, "sensation \"{}\": at most {} elements, and {} bytes of unit", name, kMaxElements,
-                kMaxNameBytes);
+    return fail(ErrorCode::TooLarge,
+                {"sensation \"{}\": at most {} elements, and {} bytes of unit",
+                 "sensación \"{}\": como máximo {} elementos, y {} bytes de unidad"},
+                name, kMaxElements, kMaxNameBytes);
   }
   if (!wire::ValueType_IsValid(message.type())) {
-    return fail(ErrorCode::BadParameter, "sensation \"{}\": no such type: {}", name, static_cast<int>(message.type()));
+    return fail(ErrorCode::BadParameter,
+                {"sensation \"{}\": no such type: {}", "sensación \"{}\": no existe ese tipo: {}"}, name,
+                static_cast<int>(message.type()));
   }
   channel.type = static_cast<ValueType>(message.type());
   channel.elements.assign(message.elements().begin(), message.elements().end());
@@ -48,7 +52,9 @@ Result<SensationChannel> read_sensation(const wire::Sensation& message) {
   const bool finite = std::isfinite(message.x_m()) && std::isfinite(message.y_m()) && std::isfinite(message.yaw_rad());
   if (!finite || !(channel.min <= channel.max) || !(channel.period_s >= 0)) {
     return fail(ErrorCode::BadParameter,
-                "sensation \"{}\": min must be <= max, period_s >= 0, and its place on the body finite", name);
+                {"sensation \"{}\": min must be <= max, period_s >= 0, and its place on the body finite",
+                 "sensación \"{}\": min debe ser <= max, period_s >= 0, y su lugar en el cuerpo finito"},
+                name);
   }
   return channel;
 }
@@ -56,14 +62,17 @@ Result<SensationChannel> read_sensation(const wire::Sensation& message) {
 Result<CommandChannel> read_command(const wire::Command& message) {
   const std::string name = printable(message.name(), kMaxNameBytes);
   if (message.elements_size() < 1 || message.elements_size() > kMaxElements) {
-    return fail(ErrorCode::BadParameter, "command \"{}\": 1 to {} elements, not {}", name, kMaxElements,
-                message.elements_size());
+    return fail(ErrorCode::BadParameter,
+                {"command \"{}\": 1 to {} elements, not {}", "mando \"{}\": de 1 a {} elementos, no {}"}, name,
+                kMaxElements, message.elements_size());
   }
   CommandChannel channel{message.name(), {}};
   for (const wire::CommandElement& one : message.elements()) {
     const bool finite = std::isfinite(one.min()) && std::isfinite(one.max());
     if (!finite || !(one.min() <= one.safe() && one.safe() <= one.max())) {
-      return fail(ErrorCode::BadParameter, "command \"{}\", element \"{}\": min <= safe <= max must hold, all finite",
+      return fail(ErrorCode::BadParameter,
+                  {"command \"{}\", element \"{}\": min <= safe <= max must hold, all finite",
+                   "mando \"{}\", elemento \"{}\": debe cumplirse min <= safe <= max, todos finitos"},
                   name, printable(one.name(), kMaxNameBytes));
     }
     channel.elements.push_back({one.name(), one.unit(), one.min(), one.max(), one.safe()});
@@ -71,16 +80,24 @@ Result<CommandChannel> read_command(const wire::Command& message) {
   return channel;
 }
 
+/// What a channel is called; one of them, and many.
+struct Called {
+  Text one, many;
+};
+
 template <class Read, class List, class Into>
-Result<void> read_channels(std::string_view what, const List& list, Read&& read, Into& into) {
+Result<void> read_channels(const Called& what, const List& list, Read&& read, Into& into) {
   if (list.size() > kMaxChannels) {
-    return fail(ErrorCode::TooLarge, "{} {}s; the limit is {}", list.size(), what, kMaxChannels);
+    return fail(ErrorCode::TooLarge, {"{} {}; the limit is {}", "{} {}; el límite es {}"}, list.size(), what.many,
+                kMaxChannels);
   }
   std::set<std::string> names;
   for (const auto& message : list) {
     if (!good_name(message.name()) || !names.insert(message.name()).second) {
-      return fail(ErrorCode::BadParameter, "{} \"{}\": names have 1 to {} bytes and stand there once", what,
-                  printable(message.name(), kMaxNameBytes), kMaxNameBytes);
+      return fail(ErrorCode::BadParameter,
+                  {"{} \"{}\": names have 1 to {} bytes and stand there once",
+                   "{} \"{}\": los nombres tienen de 1 a {} bytes y aparecen una sola vez"},
+                  what.one, printable(message.name(), kMaxNameBytes), kMaxNameBytes);
     }
     auto channel = read(message);
     if (!channel) return tl::unexpected<Error>(channel.error());
@@ -105,25 +122,35 @@ std::vector<std::string> names_of(const auto& channels) {
 /// One list of differences as it grows.
 class Comparison {
  public:
-  void add(const std::string& channel, bool grave, std::string text) {
+  void add(const std::string& channel, bool grave, Sentence text) {
     list_.push_back({channel, std::move(text), grave});
   }
-  void text(const std::string& channel, std::string_view what, const std::string& robot, const std::string& file) {
-    if (robot != file) add(channel, true, fmt::format("{}: the robot has \"{}\", the file \"{}\"", what, robot, file));
+  void text(const std::string& channel, const Sentence& what, const std::string& robot, const std::string& file) {
+    if (robot == file) return;
+    add(channel, true,
+        say({"{}: the robot has \"{}\", the file \"{}\"", "{}: el robot tiene \"{}\", el archivo \"{}\""}, what, robot,
+            file));
   }
-  void number(const std::string& channel, std::string_view what, double robot, double file) {
+  void number(const std::string& channel, const Sentence& what, double robot, double file) {
     if (robot == file || (std::isnan(robot) && std::isnan(file))) return;
-    add(channel, false, fmt::format("{}: the robot has {}, the file {}", what, shortest(robot), shortest(file)));
+    add(channel, false,
+        say({"{}: the robot has {}, the file {}", "{}: el robot tiene {}, el archivo {}"}, what, shortest(robot),
+            shortest(file)));
   }
-  /// The robot's channel of that name; null, and noted, where there is none.
+  /// Of a key that has no name in words.
+  void number(const std::string& channel, const char* key, double robot, double file) {
+    number(channel, Sentence::quoted(key), robot, file);
+  }
+  /// The robot's channel of that name; null, and noted, where there is `such` none.
   template <class Channel>
-  const Channel* partner(std::string_view what, const Channel& file, const std::vector<Channel>& robot) {
+  const Channel* partner(const Text& such, const Channel& file, const std::vector<Channel>& robot) {
     for (const Channel& channel : robot) {
       if (channel.name != file.name) continue;
-      text(file.name, "elements", join(element_names(channel)), join(element_names(file)));
+      text(file.name, say({"elements", "elementos"}), join(element_names(channel)), join(element_names(file)));
       return &channel;
     }
-    add(file.name, true, fmt::format("the robot has no such {}{}", what, suggestion(file.name, names_of(robot))));
+    add(file.name, true,
+        say({"the robot has {}{}", "el robot no tiene {}{}"}, such, suggestion(file.name, names_of(robot))));
     return nullptr;
   }
   std::vector<Difference> take() { return std::move(list_); }
@@ -134,12 +161,13 @@ class Comparison {
 
 void compare_sensations(const RobotDescription& file, const RobotDescription& robot, Comparison& found) {
   for (const SensationChannel& wanted : file.sensations) {
-    const SensationChannel* offered = found.partner("sensation", wanted, robot.sensations);
+    const SensationChannel* offered = found.partner({"no such sensation", "esa sensación"}, wanted, robot.sensations);
     if (offered == nullptr) continue;
-    found.text(wanted.name, "unit", offered->unit, wanted.unit);
-    found.text(wanted.name, "type", std::string(name_of(offered->type)), std::string(name_of(wanted.type)));
-    found.number(wanted.name, "min", offered->min, wanted.min);
-    found.number(wanted.name, "max", offered->max, wanted.max);
+    found.text(wanted.name, say({"unit", "unidad"}), offered->unit, wanted.unit);
+    found.text(wanted.name, say({"type", "tipo"}), std::string(name_of(offered->type)),
+               std::string(name_of(wanted.type)));
+    found.number(wanted.name, say({"min", "mínimo"}), offered->min, wanted.min);
+    found.number(wanted.name, say({"max", "máximo"}), offered->max, wanted.max);
     found.number(wanted.name, "period_s", offered->period_s, wanted.period_s);
     found.number(wanted.name, "x_m", offered->mount.position.x, wanted.mount.position.x);
     found.number(wanted.name, "y_m", offered->mount.position.y, wanted.mount.position.y);
@@ -149,14 +177,14 @@ void compare_sensations(const RobotDescription& file, const RobotDescription& ro
 
 void compare_commands(const RobotDescription& file, const RobotDescription& robot, Comparison& found) {
   for (const CommandChannel& wanted : file.commands) {
-    const CommandChannel* offered = found.partner("command", wanted, robot.commands);
+    const CommandChannel* offered = found.partner({"no such command", "ese mando"}, wanted, robot.commands);
     if (offered == nullptr || offered->elements.size() != wanted.elements.size()) continue;
     for (std::size_t n = 0; n < wanted.elements.size(); ++n) {
       const CommandElement &mine = wanted.elements[n], &theirs = offered->elements[n];
-      found.text(wanted.name, "unit of " + mine.name, theirs.unit, mine.unit);
-      found.number(wanted.name, "min of " + mine.name, theirs.min, mine.min);
-      found.number(wanted.name, "max of " + mine.name, theirs.max, mine.max);
-      found.number(wanted.name, "safe value of " + mine.name, theirs.safe, mine.safe);
+      found.text(wanted.name, say({"unit of {}", "unidad de {}"}, mine.name), theirs.unit, mine.unit);
+      found.number(wanted.name, say({"min of {}", "mínimo de {}"}, mine.name), theirs.min, mine.min);
+      found.number(wanted.name, say({"max of {}", "máximo de {}"}, mine.name), theirs.max, mine.max);
+      found.number(wanted.name, say({"safe value of {}", "valor seguro de {}"}, mine.name), theirs.safe, mine.safe);
     }
   }
 }
@@ -190,18 +218,23 @@ Result<RobotDescription> read_description(const wire::Describe& message) {
   description.width_m = message.width_m();
   description.tick_s = message.tick_s();
   if (!(description.tick_s > 0 && description.tick_s <= 3600)) {
-    return fail(ErrorCode::BadParameter, "tick_s is {}, must be > 0 and at most 3600 s", shortest(message.tick_s()));
+    return fail(ErrorCode::BadParameter,
+                {"tick_s is {}, must be > 0 and at most 3600 s", "tick_s es {}, debe ser > 0 y como máximo 3600 s"},
+                shortest(message.tick_s()));
   }
   if (!(description.length_m >= 0 && description.width_m >= 0)) {
-    return fail(ErrorCode::BadParameter, "length_m and width_m must be >= 0");
+    return fail(ErrorCode::BadParameter, {"length_m and width_m must be >= 0", "length_m y width_m deben ser >= 0"});
   }
   if (message.robots() > kMaxRobots) {
-    return fail(ErrorCode::TooLarge, "{} robots; the limit is {}", message.robots(), kMaxRobots);
+    return fail(ErrorCode::TooLarge, {"{} robots; the limit is {}", "{} robots; el límite es {}"}, message.robots(),
+                kMaxRobots);
   }
-  if (auto read = read_channels("sensation", message.sensations(), read_sensation, description.sensations); !read) {
+  constexpr Called kSensation = {{"sensation", "sensación"}, {"sensations", "sensaciones"}};
+  constexpr Called kCommand = {{"command", "mando"}, {"commands", "mandos"}};
+  if (auto read = read_channels(kSensation, message.sensations(), read_sensation, description.sensations); !read) {
     return tl::unexpected<Error>(read.error());
   }
-  if (auto read = read_channels("command", message.commands(), read_command, description.commands); !read) {
+  if (auto read = read_channels(kCommand, message.commands(), read_command, description.commands); !read) {
     return tl::unexpected<Error>(read.error());
   }
   return description;
@@ -215,6 +248,11 @@ std::vector<Difference> differences(const RobotDescription& file, const RobotDes
   found.number("", "length_m", robot.length_m, file.length_m);
   found.number("", "width_m", robot.width_m, file.width_m);
   return found.take();
+}
+
+Sentence text_of(const Difference& difference) {
+  if (difference.channel.empty()) return difference.text;
+  return say({"{}: {}", "{}: {}"}, difference.channel, difference.text);
 }
 
 }  // namespace ganglion::link

@@ -23,10 +23,12 @@ Result<RobotDescription> read_description(const wire::Describe& message);
 /// One respect in which a robot is not what a controller was drawn for.
 struct Difference {
   std::string channel;  ///< Of which sensation or command; "" = of the whole robot.
-  std::string text;     ///< "the robot gives cm, the file says m"
+  Sentence text;        ///< "unit: the robot has \"cm\", the file \"m\""
   bool grave = false;   ///< The controller cannot drive it.
 };
 /// Compares by name: the order of channels and what the robot offers besides do not matter.
 std::vector<Difference> differences(const RobotDescription& file, const RobotDescription& robot);
+/// "sonar_left.range: unit: the robot has \"cm\", the file \"m\"".
+Sentence text_of(const Difference& difference);
 
 }  // namespace ganglion::link

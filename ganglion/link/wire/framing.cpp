@@ -28,10 +28,13 @@ Result<std::optional<std::string_view>> FrameReader::next() {
   if (!encoding_) {
     const char first = rest().front();
     if (first != '{' && first != 0) {
-      return fail(ErrorCode::Syntax,
-                  "this is a Ganglion robot link: begin with a JSON line ({{\"hello\": ...}}) or a binary frame behind "
-                  "its length in 4 bytes, not with byte 0x{:02x}",
-                  static_cast<unsigned char>(first));
+      return fail(
+          ErrorCode::Syntax,
+          {"this is a Ganglion robot link: begin with a JSON line ({{\"hello\": ...}}) or a binary frame behind "
+           "its length in 4 bytes, not with byte 0x{:02x}",
+           "esto es un enlace de robot de Ganglion: empiece con una línea JSON ({{\"hello\": ...}}) o una trama "
+           "binaria tras su longitud en 4 bytes, no con el byte 0x{:02x}"},
+          static_cast<unsigned char>(first));
     }
     encoding_ = first == '{' ? Encoding::Json : Encoding::Binary;
   }
@@ -41,7 +44,9 @@ Result<std::optional<std::string_view>> FrameReader::next() {
 Result<std::optional<std::string_view>> FrameReader::next_line() {
   const std::size_t end = buffer_.find('\n', std::max(begin_, looked_));
   const std::size_t length = (end == std::string::npos ? buffer_.size() : end) - begin_;
-  if (length > limit_) return fail(ErrorCode::TooLarge, "a line is longer than {} bytes", limit_);
+  if (length > limit_) {
+    return fail(ErrorCode::TooLarge, {"a line is longer than {} bytes", "una línea tiene más de {} bytes"}, limit_);
+  }
   if (end == std::string::npos) {
     looked_ = buffer_.size();
     return std::optional<std::string_view>{};
@@ -56,7 +61,11 @@ Result<std::optional<std::string_view>> FrameReader::next_binary() {
   if (all.size() < kLengthBytes) return std::optional<std::string_view>{};
   std::size_t length = 0;
   for (std::size_t n = 0; n < kLengthBytes; ++n) length = length << 8 | static_cast<unsigned char>(all[n]);
-  if (length > limit_) return fail(ErrorCode::TooLarge, "a frame announces {} bytes; the limit is {}", length, limit_);
+  if (length > limit_) {
+    return fail(ErrorCode::TooLarge,
+                {"a frame announces {} bytes; the limit is {}", "una trama anuncia {} bytes; el límite es {}"}, length,
+                limit_);
+  }
   if (all.size() < kLengthBytes + length) return std::optional<std::string_view>{};
   begin_ += kLengthBytes + length;
   return std::optional(all.substr(kLengthBytes, length));

@@ -7,6 +7,7 @@
 #include "ganglion/link/wire/codec.h"
 #include "ganglion/link/wire/description.h"
 #include "ganglion/link/wire/frames.h"
+#include "ganglion/link/wire/words.h"
 
 namespace ganglion::link {
 namespace {
@@ -62,7 +63,7 @@ std::vector<std::string> frames_of(FrameReader& reader, std::string_view bytes, 
     reader.feed(bytes.substr(at, piece));
     for (;;) {
       const auto frame = reader.next();
-      EXPECT_TRUE(frame) << frame.error().message;
+      EXPECT_TRUE(frame) << frame.error().what.en;
       if (!frame || !*frame) break;
       frames.emplace_back(**frame);
     }
@@ -164,7 +165,7 @@ TEST(Description, ComesBackAsItWas) {
   wire::Describe message;
   write_description(described(), message);
   const auto back = read_description(message);
-  ASSERT_TRUE(back) << back.error().message;
+  ASSERT_TRUE(back) << back.error().what.en;
   EXPECT_TRUE(differences(described(), *back).empty());
   EXPECT_EQ(back->sensations[0].dead, 0);
   EXPECT_TRUE(std::isnan(back->sensations[1].dead));
@@ -200,11 +201,50 @@ TEST(Description, NamesWhatDiffers) {
   robot.sensations[1].elements = {"x", "y", "z"};
   const auto found = differences(described(), robot);
   ASSERT_EQ(found.size(), 3u);
-  EXPECT_EQ(found[0].channel + ": " + found[0].text, "sonar.range: max: the robot has 4, the file 3");
+  EXPECT_EQ(text_of(found[0]).en, "sonar.range: max: the robot has 4, the file 3");
+  EXPECT_EQ(text_of(found[0]).es, "sonar.range: máximo: el robot tiene 4, el archivo 3");
   EXPECT_FALSE(found[0].grave);
-  EXPECT_EQ(found[1].text, "elements: the robot has \"x, y, z\", the file \"x, y\"");
+  EXPECT_EQ(found[1].text.en, "elements: the robot has \"x, y, z\", the file \"x, y\"");
   EXPECT_TRUE(found[1].grave);
-  EXPECT_EQ(found[2].text, "safe value of right: the robot has 0, the file 0.1");
+  EXPECT_EQ(found[2].text.en, "safe value of right: the robot has 0, the file 0.1");
+}
+
+TEST(Words, GoInBothLanguages) {
+  const Sentence reason{"the run is over", "la ejecución terminó"};
+  wire::Bye bye;
+  write_words(reason, bye);
+  EXPECT_EQ(bye.reason(), reason.en);
+  EXPECT_EQ(bye.reason_es(), reason.es);
+  EXPECT_EQ(read_words(bye), reason);
+  write_words(Sentence::quoted("Robby"), bye);
+  EXPECT_EQ(bye.reason_es(), "") << "it reads the same";
+  EXPECT_EQ(read_words(bye), Sentence::quoted("Robby"));
+}
+
+TEST(Words, AreQuotedWhereTheyCameInOneLanguage) {
+  wire::Event event;
+  event.set_text("battery low");
+  EXPECT_EQ(read_words(event), Sentence::quoted("battery low"));
+  event.set_text_es("batería baja");
+  EXPECT_EQ(read_words(event), (Sentence{"battery low", "batería baja"}));
+  event.clear_text();
+  EXPECT_EQ(read_words(event), Sentence::quoted("batería baja"));
+  EXPECT_TRUE(read_words(wire::Bye()).empty());
+}
+
+TEST(Words, HoldNothingThatIsNoUtf8) {
+  wire::Bye bye;
+  const auto sent = [&bye](const char* words) {
+    write_words(Sentence::quoted(words), bye);
+    std::string bytes;
+    EXPECT_TRUE(FrameWriter(Carrier::Stream, Encoding::Json).append(bye, bytes)) << words;
+    return bye.reason();
+  };
+  for (const char* good : {"", "plain", "añ € 😀", "\xF4\x8F\xBF\xBF"}) EXPECT_EQ(sent(good), good);
+  EXPECT_EQ(sent("a\xFFñ\xC3"), "a?ñ?");
+  for (const char* bad : {"\xC0\xAF", "\xC1\xBF", "\x80\xBF"}) EXPECT_EQ(sent(bad), "??");
+  for (const char* bad : {"\xED\xA0\x80", "\xE0\x9F\xBF", "\xE2\x82\xC3"}) EXPECT_EQ(sent(bad), "???");
+  for (const char* bad : {"\xF4\x90\x80\x80", "\xF0\x8F\xBF\xBF", "\xF8\x88\x80\x80"}) EXPECT_EQ(sent(bad), "????");
 }
 
 TEST(Frames, SpellEveryNumberInOneWay) {

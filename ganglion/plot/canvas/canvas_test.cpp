@@ -79,7 +79,7 @@ TEST(EscapeMarkup, LeavesNoLetterThatMeansSomething) {
 
 TEST(Picture, IsWellFormedSvgThatKeepsItsWords) {
   const auto svg = render(small_picture("risk < 1 & more"), PictureFormat::Svg);
-  ASSERT_TRUE(svg) << svg.error().message;
+  ASSERT_TRUE(svg) << svg.error().what.en;
   EXPECT_EQ(fault_in_markup(*svg), "");
   EXPECT_NE(svg->find("<title id=\"title\">A &lt;title&gt;</title>"), std::string::npos);
   EXPECT_NE(svg->find("<desc id=\"desc\">Says &amp; shows</desc>"), std::string::npos);

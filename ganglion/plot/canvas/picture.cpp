@@ -74,8 +74,10 @@ struct Rendered {
 Result<Rendered> render_parts(const Picture& picture, PictureFormat format) {
   if (!(picture.width_px >= 1 && picture.width_px <= kMaxSide_px && picture.height_px >= 1 &&
         picture.height_px <= kMaxSide_px))
-    return fail(ErrorCode::TooLarge, "picture {}: {} x {} pixels, at most {} each way", picture.id, picture.width_px,
-                picture.height_px, kMaxSide_px);
+    return fail(ErrorCode::TooLarge,
+                {"picture {}: {} x {} pixels, at most {} each way",
+                 "imagen {}: {} x {} píxeles, como máximo {} en cada sentido"},
+                picture.id, picture.width_px, picture.height_px, kMaxSide_px);
   Rendered rendered;
   const Surface surface = make_surface(picture, format, rendered.bytes);
   cairo_status_t status = draw(picture, format, surface.get(), rendered.texts);
@@ -84,7 +86,7 @@ Result<Rendered> render_parts(const Picture& picture, PictureFormat format) {
   cairo_surface_finish(surface.get());
   if (status == CAIRO_STATUS_SUCCESS) status = cairo_surface_status(surface.get());
   if (status != CAIRO_STATUS_SUCCESS)
-    return fail(ErrorCode::Unreadable, "picture {}: {}", picture.id, cairo_status_to_string(status));
+    return fail(ErrorCode::Unreadable, {"picture {}: {}", "imagen {}: {}"}, picture.id, cairo_status_to_string(status));
   return rendered;
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 std::string svg_of(const Picture& picture) {
   const auto svg = render(picture, PictureFormat::Svg);
-  EXPECT_TRUE(svg) << picture.id << ": " << svg.error().message;
+  EXPECT_TRUE(svg) << picture.id << ": " << svg.error().what.en;
   return svg.value_or("");
 }
 

@@ -115,8 +115,9 @@ RunView sample_behaviour_run(int robots, double duration_s) {
                            "9f3a5c0d11e2b477"};
   run.measures = {{"path_m", 24.318}, {"contacts", 6}, {"area_explored_m2", 11.25}, {"mean_speed_mps", 0.2027}};
   for (int i = 0; i < robots; ++i) run.robots.push_back(behaviour_robot(i, duration_s));
-  run.events = {
-      {0, Severity::Info, "started"}, {12.3, Severity::Warning, "sonar_right lost"}, {61, Severity::Error, "stuck"}};
+  run.events = {{0, Severity::Info, {"started", "empezó"}},
+                {12.3, Severity::Warning, {"sonar_right lost", "sonar_right perdido"}},
+                {61, Severity::Error, {"stuck", ""}}};  // of a file that had English only
   return run;
 }
 

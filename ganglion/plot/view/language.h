@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "ganglion/descriptor/language.h"
+#include "ganglion/base/sentence.h"
 
 namespace ganglion::plot {
 

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ganglion/base/sentence.h"
 #include "ganglion/geometry/pose2.h"
 
 namespace ganglion::plot {
@@ -180,7 +181,7 @@ enum class Severity : std::uint8_t { Info, Warning, Error };
 struct Event {
   double time_s = 0;
   Severity severity = Severity::Info;
-  std::string text;
+  Sentence text;  ///< No Spanish where the run was recorded in English only.
 };
 
 struct Measure {
@@ -188,15 +189,9 @@ struct Measure {
   double value = 0;
 };
 
-/// A sentence about the run. Where there is no Spanish for it, readers of Spanish get the English, marked as such.
-struct Sentence {
-  std::string english;
-  std::string spanish;
-};
-
 struct RunOutcome {
   bool success = false;
-  Sentence reason;     ///< Why it ended, in plain words.
+  Sentence reason;     ///< Why it ended, in plain words; no Spanish where the run was recorded in English only.
   Sentence criterion;  ///< What the experiment calls success; may be empty.
   std::string digest;
 };

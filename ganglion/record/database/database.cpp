@@ -17,27 +17,30 @@ constexpr std::chrono::seconds kPatience{10};  // with another process that hold
 }  // namespace
 
 Error database_failure(sqlite3* connection, const std::string& file) {
-  const std::string why = connection != nullptr ? sqlite3_errmsg(connection) : "out of memory";
-  const auto error = [&](ErrorCode code, std::string_view what) {
-    return Error{code, fmt::format("{}: {}", what, why), {file}};
+  const Sentence why =
+      connection != nullptr ? Sentence::quoted(sqlite3_errmsg(connection)) : say({"out of memory", "no queda memoria"});
+  const auto error = [&](ErrorCode code, Text what) {
+    return Error{code, say({"{}: {}", "{}: {}"}, what, why), {file}};
   };
   switch (connection != nullptr ? sqlite3_errcode(connection) & 0xff : SQLITE_NOMEM) {
     case SQLITE_NOTADB:
-      return error(ErrorCode::Corrupt, "is no SQLite file, or its beginning is damaged");
+      return error(ErrorCode::Corrupt, {"is no SQLite file, or its beginning is damaged",
+                                        "no es un archivo SQLite, o su comienzo está dañado"});
     case SQLITE_CORRUPT:
-      return error(ErrorCode::Corrupt, "is damaged");
+      return error(ErrorCode::Corrupt, {"is damaged", "está dañado"});
     case SQLITE_ERROR:
     case SQLITE_SCHEMA:
     case SQLITE_MISMATCH:
     case SQLITE_CONSTRAINT:
-      return error(ErrorCode::Corrupt, "has other tables than it should");
+      return error(ErrorCode::Corrupt,
+                   {"has other tables than it should", "tiene tablas distintas de las que debería"});
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
-      return error(ErrorCode::Unreadable, "is kept busy by another program");
+      return error(ErrorCode::Unreadable, {"is kept busy by another program", "lo tiene ocupado otro programa"});
     case SQLITE_TOOBIG:
-      return error(ErrorCode::TooLarge, "would hold too much in one piece");
+      return error(ErrorCode::TooLarge, {"would hold too much in one piece", "contendría demasiado en una sola pieza"});
     default:
-      return error(ErrorCode::Unreadable, "cannot be read or written");
+      return error(ErrorCode::Unreadable, {"cannot be read or written", "no se puede leer ni escribir"});
   }
 }
 
@@ -83,7 +86,8 @@ Result<void> Database::check_identity(const DatabaseLayout& layout) const {
   if (const auto row = identity->step(); !row) return tl::unexpected(row.error());
   const std::int64_t application = identity->integer(0), objects = identity->integer(1);
   if (application != layout.application_id && (application != 0 || objects != 0)) {
-    return fail_at({file_}, ErrorCode::Unsupported, "is an SQLite file, but not {}", layout.what);
+    return fail_at({file_}, ErrorCode::Unsupported,
+                   {"is an SQLite file, but not {}", "es un archivo SQLite, pero no {}"}, layout.what);
   }
   return {};
 }
@@ -111,8 +115,10 @@ Result<void> Database::upgrade(const DatabaseLayout& layout) const {
     if (*current < 0 || *current > newest) {
       return fail_at(
           {file_}, ErrorCode::Unsupported,
-          "was written by a newer program (its version is {}, this program knows up to {}); use that program, or "
-          "another file",
+          {"was written by a newer program (its version is {}, this program knows up to {}); use that program, or "
+           "another file",
+           "lo escribió un programa más nuevo (su versión es {}, este programa conoce hasta la {}); use ese programa, "
+           "u otro archivo"},
           *current, newest);
     }
     for (std::int64_t step = *current; step < newest; ++step) {
@@ -146,12 +152,15 @@ Result<void> Database::check_content(const DatabaseLayout& layout) const {
   const auto found = schema();
   if (!wanted) return tl::unexpected(wanted.error());
   if (!found) return tl::unexpected(found.error());
-  if (*wanted != *found) return fail_at({file_}, ErrorCode::Corrupt, "has other tables than {} should", layout.what);
+  if (*wanted != *found)
+    return fail_at({file_}, ErrorCode::Corrupt,
+                   {"has other tables than {} should", "tiene tablas distintas de las de {}"}, layout.what);
   auto check = prepare("PRAGMA quick_check(1)");
   if (!check) return tl::unexpected(check.error());
   const auto row = check->step();
   if (!row) return tl::unexpected(row.error());
-  if (check->text(0) != "ok") return fail_at({file_}, ErrorCode::Corrupt, "is damaged: {}", check->text(0));
+  if (check->text(0) != "ok")
+    return fail_at({file_}, ErrorCode::Corrupt, {"is damaged: {}", "está dañado: {}"}, check->text(0));
   return {};
 }
 

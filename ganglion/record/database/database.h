@@ -20,7 +20,7 @@ namespace ganglion {
 /// What a database of ours looks like. Step n is the SQL that brings version n to version n + 1, so the newest version
 /// is steps.size(); steps are never changed once released, only added.
 struct DatabaseLayout {
-  std::string_view what;            ///< "the experience of a controller", for messages.
+  Text what;                        ///< "the experience of a controller", for sentences.
   std::int32_t application_id = 0;  ///< In the file's header; tells our files from other people's.
   std::span<const std::string_view> steps;
   bool survives_power_cut = true;  ///< False: the newest commits may be lost then, never the file. kill -9 loses none.

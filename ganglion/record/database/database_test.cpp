@@ -15,9 +15,9 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kSteps = {"CREATE TABLE note(id INTEGER PRIMARY KEY, words TEXT)",
                                                     "ALTER TABLE note ADD COLUMN weight REAL DEFAULT 2.5"};
-constexpr DatabaseLayout kNewest{.what = "a notebook", .application_id = 0x6e6f7465, .steps = kSteps};
+constexpr DatabaseLayout kNewest{.what = {"a notebook", "un cuaderno"}, .application_id = 0x6e6f7465, .steps = kSteps};
 constexpr DatabaseLayout kOlder{
-    .what = "a notebook", .application_id = 0x6e6f7465, .steps = std::span(kSteps).first<1>()};
+    .what = {"a notebook", "un cuaderno"}, .application_id = 0x6e6f7465, .steps = std::span(kSteps).first<1>()};
 
 class DatabaseTest : public FolderTest {
  protected:
@@ -74,7 +74,7 @@ TEST_F(DatabaseTest, RefusesANewerFileInWords) {
   const auto refused = Database::open(path(), kOlder);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::Unsupported);
-  EXPECT_NE(refused.error().message.find("its version is 2, this program knows up to 1"), std::string::npos);
+  EXPECT_NE(refused.error().what.en.find("its version is 2, this program knows up to 1"), std::string::npos);
 }
 
 TEST_F(DatabaseTest, LeavesOtherPeoplesFilesAlone) {
@@ -84,7 +84,8 @@ TEST_F(DatabaseTest, LeavesOtherPeoplesFilesAlone) {
   const auto refused = Database::open(other, kNewest);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::Unsupported);
-  EXPECT_EQ(refused.error().message, "is an SQLite file, but not a notebook");
+  EXPECT_EQ(refused.error().what.en, "is an SQLite file, but not a notebook");
+  EXPECT_EQ(refused.error().what.es, "es un archivo SQLite, pero no un cuaderno");
   EXPECT_EQ(*read_file(other), before);
 }
 
@@ -131,7 +132,7 @@ TEST_F(DatabaseTest, RollsBackWhatFailed) {
   const auto database = *Database::open(path(), kNewest);
   const auto outcome = database.transaction([&]() -> Result<void> {
     EXPECT_TRUE(database.execute("INSERT INTO note VALUES (1, 'a', 1)"));
-    return fail(ErrorCode::BadParameter, "changed my mind");
+    return fail(ErrorCode::BadParameter, {"changed my mind", "cambié de idea"});
   });
   EXPECT_FALSE(outcome);
   auto count = *database.prepare("SELECT count(*) FROM note");

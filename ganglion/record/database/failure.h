@@ -8,7 +8,7 @@ struct sqlite3;
 
 namespace ganglion {
 
-/// The connection's last failure, in our words and codes.
+/// The connection's last failure, in our words and codes; SQLite's own words follow as they are.
 Error database_failure(sqlite3* connection, const std::string& file);
 
 }  // namespace ganglion

@@ -75,7 +75,7 @@ Result<OutputFile> OutputFile::create(const std::filesystem::path& path) {
   if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
   const int fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (fd < 0) {
-    return fail_at({path.string()}, ErrorCode::Unwritable, "cannot be written: {}",
+    return fail_at({path.string()}, ErrorCode::Unwritable, {"cannot be written: {}", "no se puede escribir: {}"},
                    std::generic_category().message(errno));
   }
   return OutputFile(std::make_unique<Handle>(path.string(), fd));
@@ -119,7 +119,7 @@ bool OutputFile::failed() const noexcept { return handle_->first_errno != 0; }
 
 Result<void> OutputFile::status() const {
   if (!failed()) return {};
-  return fail_at({handle_->name}, ErrorCode::Unwritable, "cannot be written: {}",
+  return fail_at({handle_->name}, ErrorCode::Unwritable, {"cannot be written: {}", "no se puede escribir: {}"},
                  std::generic_category().message(handle_->first_errno));
 }
 

@@ -30,9 +30,8 @@ class Parser {
 
  private:
   template <class... Args>
-  Result<void> corrupt(std::size_t offset, fmt::format_string<Args...> format, Args&&... args) const {
-    return fail_at({name_}, ErrorCode::Corrupt, "byte {}: {}", offset,
-                   fmt::format(format, std::forward<Args>(args)...));
+  Result<void> corrupt(std::size_t offset, Wording<std::type_identity_t<Args>...> words, const Args&... args) const {
+    return fail_at({name_}, ErrorCode::Corrupt, {"byte {}: {}", "byte {}: {}"}, offset, say<Args...>(words, args...));
   }
 
   Result<void> header();
@@ -75,7 +74,9 @@ class Parser {
 
 Result<McapContent> Parser::parse() {
   if (!bytes_.starts_with(mcap::kMagic)) {
-    return fail_at({name_}, ErrorCode::Syntax, "is no MCAP file: it must begin with 89 4d 43 41 50 30 0d 0a");
+    return fail_at({name_}, ErrorCode::Syntax,
+                   {"is no MCAP file: it must begin with 89 4d 43 41 50 30 0d 0a",
+                    "no es un archivo MCAP: debe empezar con 89 4d 43 41 50 30 0d 0a"});
   }
   auto outcome = header();
   if (outcome) outcome = data_section();
@@ -91,11 +92,12 @@ Result<McapContent> Parser::parse() {
 
 Result<void> Parser::header() {
   const auto record = mcap::record_at(bytes_, offset_);
-  if (!record || record->opcode != Opcode::Header) return corrupt(offset_, "the header record is missing or cut");
+  if (!record || record->opcode != Opcode::Header)
+    return corrupt(offset_, {"the header record is missing or cut", "falta el registro de cabecera, o está cortado"});
   FieldReader fields(record->content);
   fields.string();  // profile
   content_.library = fields.string();
-  if (!fields.ok()) return corrupt(offset_, "the header record is damaged");
+  if (!fields.ok()) return corrupt(offset_, {"the header record is damaged", "el registro de cabecera está dañado"});
   offset_ += record->size();
   return {};
 }
@@ -103,7 +105,8 @@ Result<void> Parser::header() {
 Result<void> Parser::data_section() {
   while (true) {
     const auto record = mcap::record_at(bytes_, offset_);
-    if (!record) return corrupt(offset_, "the file was cut here; it has no end");
+    if (!record)
+      return corrupt(offset_, {"the file was cut here; it has no end", "el archivo se cortó aquí; no tiene final"});
     record_offset_ = offset_;
     if (auto outcome = data_record(*record); !outcome) {
       if (recover_ == Recover::No || record->opcode == Opcode::DataEnd || overflowed()) return outcome;
@@ -131,14 +134,15 @@ Result<void> Parser::data_record(const RecordView& record) {
     case Opcode::Message: {
       const auto one = mcap::decode_message(record.content);
       if (!one || find_channel(one->channel, nullptr) == nullptr) {
-        return corrupt(record_offset_, "a message is damaged, or its channel is not known");
+        return corrupt(record_offset_, {"a message is damaged, or its channel is not known",
+                                        "un mensaje está dañado, o no se conoce su canal"});
       }
       deliver(*one);
       return {};
     }
     case Opcode::Header:
     case Opcode::Footer:
-      return corrupt(record_offset_, "a header or footer inside the data");
+      return corrupt(record_offset_, {"a header or footer inside the data", "una cabecera o un pie entre los datos"});
     default:
       return {};  // message indices, which reading everything does not need, and what later versions may add
   }
@@ -147,7 +151,7 @@ Result<void> Parser::data_record(const RecordView& record) {
 Result<void> Parser::schema(std::string_view content, Definitions& into) {
   if (auto outcome = count_definition(content); !outcome) return outcome;
   auto schema = mcap::decode_schema(content);
-  if (!schema) return corrupt(record_offset_, "a schema record is damaged");
+  if (!schema) return corrupt(record_offset_, {"a schema record is damaged", "un registro de esquema está dañado"});
   if (schema->first != 0) into.schemas.insert(std::move(*schema));
   return {};
 }
@@ -155,10 +159,12 @@ Result<void> Parser::schema(std::string_view content, Definitions& into) {
 Result<void> Parser::channel(std::string_view content, Definitions& into) {
   if (auto outcome = count_definition(content); !outcome) return outcome;
   auto channel = mcap::decode_channel(content);
-  if (!channel) return corrupt(record_offset_, "a channel record is damaged");
+  if (!channel) return corrupt(record_offset_, {"a channel record is damaged", "un registro de canal está dañado"});
   if (channel->schema != 0 && !into.schemas.contains(channel->schema) && !defined_.schemas.contains(channel->schema)) {
-    return corrupt(record_offset_, "channel {} \"{}\" has schema {}, which is not known", channel->id, channel->topic,
-                   channel->schema);
+    return corrupt(record_offset_,
+                   {"channel {} \"{}\" has schema {}, which is not known",
+                    "el canal {} \"{}\" tiene el esquema {}, que no se conoce"},
+                   channel->id, channel->topic, channel->schema);
   }
   const std::uint16_t id = channel->id;
   into.channels.try_emplace(id, std::move(*channel));
@@ -179,20 +185,22 @@ void Parser::deliver(const mcap::Message& message) {
 
 void Parser::note_damage(const Error& error) {
   constexpr std::size_t kMost = 100;  // a file of nothing but damage must not fill the memory with words about it
-  if (content_.damages.size() < kMost) content_.damages.push_back(error.message);
+  if (content_.damages.size() < kMost) content_.damages.push_back(error.what);
 }
 
 Result<void> Parser::count_definition(std::string_view content) {
   definition_bytes_ += content.size();
   if (definition_bytes_ <= mcap::kMaxDefinitionBytes) return {};
-  return fail_at({name_}, ErrorCode::TooLarge, "byte {}: over {} bytes of schemas, channels and metadata",
+  return fail_at({name_}, ErrorCode::TooLarge,
+                 {"byte {}: over {} bytes of schemas, channels and metadata",
+                  "byte {}: más de {} bytes de esquemas, canales y metadatos"},
                  record_offset_, mcap::kMaxDefinitionBytes);
 }
 
 Result<void> Parser::chunk(std::string_view content) {
   if (!sink_) return {};
   const auto chunk = mcap::decode_chunk(content);
-  if (!chunk) return corrupt(record_offset_, "a chunk is damaged");
+  if (!chunk) return corrupt(record_offset_, {"a chunk is damaged", "un bloque está dañado"});
   const auto records = unpack(*chunk);
   if (!records) return tl::unexpected(records.error());
   Definitions found;
@@ -209,21 +217,28 @@ Result<std::string_view> Parser::unpack(const mcap::ChunkView& chunk) {
   if (size <= mcap::kMaxChunkBytes) unpacked_total_ += size;
   if (size > mcap::kMaxChunkBytes || overflowed()) {
     return fail_at({name_}, ErrorCode::TooLarge,
-                   "byte {}: a chunk unpacks to {} bytes; the limits are {}, and {} for all", record_offset_, size,
-                   mcap::kMaxChunkBytes, max_unpacked_bytes_);
+                   {"byte {}: a chunk unpacks to {} bytes; the limits are {}, and {} for all",
+                    "byte {}: un bloque ocupa {} bytes descomprimido; los límites son {}, y {} para todos"},
+                   record_offset_, size, mcap::kMaxChunkBytes, max_unpacked_bytes_);
   }
   std::string_view records = chunk.packed;
   if (chunk.compression == "zstd") {
     if (!decompressor_.decompress(chunk.packed, size, unpacked_)) {
-      return tl::unexpected(corrupt(record_offset_, "a chunk cannot be unpacked").error());
+      return tl::unexpected(
+          corrupt(record_offset_, {"a chunk cannot be unpacked", "un bloque no se puede descomprimir"}).error());
     }
     records = unpacked_;
   } else if (!chunk.compression.empty()) {
-    return fail_at({name_}, ErrorCode::Unsupported, "byte {}: a chunk packed by \"{}\"; known: zstd, none",
+    return fail_at({name_}, ErrorCode::Unsupported,
+                   {"byte {}: a chunk packed by \"{}\"; known: zstd, none",
+                    "byte {}: un bloque comprimido con \"{}\"; se conocen: zstd, ninguno"},
                    record_offset_, chunk.compression);
   }
   if (records.size() != size || (chunk.crc != 0 && mcap::crc32(records) != chunk.crc)) {
-    return tl::unexpected(corrupt(record_offset_, "a chunk's content does not match its checksum or size").error());
+    return tl::unexpected(
+        corrupt(record_offset_, {"a chunk's content does not match its checksum or size",
+                                 "el contenido de un bloque no coincide con su suma de control o su tamaño"})
+            .error());
   }
   return records;
 }
@@ -232,14 +247,17 @@ Result<void> Parser::chunk_records(std::string_view records, Definitions& found)
   batch_.clear();
   for (std::size_t offset = 0; offset < records.size();) {
     const auto record = mcap::record_at(records, offset);
-    if (!record) return corrupt(record_offset_, "a record inside the chunk is longer than the chunk");
+    if (!record)
+      return corrupt(record_offset_, {"a record inside the chunk is longer than the chunk",
+                                      "un registro dentro del bloque es más largo que el bloque"});
     Result<void> outcome;
     if (record->opcode == Opcode::Schema) outcome = schema(record->content, found);
     if (record->opcode == Opcode::Channel) outcome = channel(record->content, found);
     if (record->opcode == Opcode::Message) {
       const auto one = mcap::decode_message(record->content);
       if (!one || find_channel(one->channel, &found) == nullptr) {
-        return corrupt(record_offset_, "a message inside the chunk is damaged, or its channel is not known");
+        return corrupt(record_offset_, {"a message inside the chunk is damaged, or its channel is not known",
+                                        "un mensaje dentro del bloque está dañado, o no se conoce su canal"});
       }
       batch_.push_back(*one);
     }
@@ -251,12 +269,16 @@ Result<void> Parser::chunk_records(std::string_view records, Definitions& found)
 
 Result<void> Parser::attachment(std::string_view content) {
   if (content_.attachments.size() >= mcap::kMaxAttachments) {
-    return fail_at({name_}, ErrorCode::TooLarge, "byte {}: over {} attachments", record_offset_, mcap::kMaxAttachments);
+    return fail_at({name_}, ErrorCode::TooLarge, {"byte {}: over {} attachments", "byte {}: más de {} adjuntos"},
+                   record_offset_, mcap::kMaxAttachments);
   }
   auto checked = mcap::decode_attachment(content);
-  if (!checked) return corrupt(record_offset_, "an attachment is damaged");
+  if (!checked) return corrupt(record_offset_, {"an attachment is damaged", "un adjunto está dañado"});
   if (!checked->crc_matches) {
-    return corrupt(record_offset_, "attachment \"{}\" does not match its checksum", checked->attachment.name);
+    return corrupt(
+        record_offset_,
+        {"attachment \"{}\" does not match its checksum", "el adjunto \"{}\" no coincide con su suma de control"},
+        checked->attachment.name);
   }
   content_.attachments.push_back(std::move(checked->attachment));
   return {};
@@ -265,7 +287,8 @@ Result<void> Parser::attachment(std::string_view content) {
 Result<void> Parser::metadata(std::string_view content) {
   if (auto outcome = count_definition(content); !outcome) return outcome;
   auto metadata = mcap::decode_metadata(content);
-  if (!metadata) return corrupt(record_offset_, "a metadata record is damaged");
+  if (!metadata)
+    return corrupt(record_offset_, {"a metadata record is damaged", "un registro de metadatos está dañado"});
   content_.metadata.push_back(std::move(*metadata));
   return {};
 }
@@ -273,9 +296,9 @@ Result<void> Parser::metadata(std::string_view content) {
 Result<void> Parser::data_end(const RecordView& record) {
   FieldReader fields(record.content);
   const std::uint32_t crc = fields.u32();
-  if (!fields.ok()) return corrupt(offset_, "the end of the data is damaged");
+  if (!fields.ok()) return corrupt(offset_, {"the end of the data is damaged", "el final de los datos está dañado"});
   if (crc != 0 && mcap::crc32(bytes_.substr(0, record.offset)) != crc) {
-    return corrupt(offset_, "the data does not match its checksum");
+    return corrupt(offset_, {"the data does not match its checksum", "los datos no coinciden con su suma de control"});
   }
   return {};
 }
@@ -284,7 +307,7 @@ Result<void> Parser::summary_section() {
   summary_start_ = offset_;
   while (true) {
     const auto record = mcap::record_at(bytes_, offset_);
-    if (!record) return corrupt(offset_, "the file was cut in its summary");
+    if (!record) return corrupt(offset_, {"the file was cut in its summary", "el archivo se cortó en su resumen"});
     record_offset_ = offset_;
     if (record->opcode == Opcode::Footer) return footer(*record);
     if (auto outcome = summary_record(*record); !outcome) return outcome;
@@ -301,13 +324,15 @@ Result<void> Parser::summary_record(const RecordView& record) {
     case Opcode::Statistics: {
       FieldReader fields(record.content);
       stated_messages_ = fields.u64();
-      return fields.ok() ? Result<void>() : corrupt(record_offset_, "the statistics are damaged");
+      return fields.ok() ? Result<void>()
+                         : corrupt(record_offset_, {"the statistics are damaged", "las estadísticas están dañadas"});
     }
     case Opcode::Header:
     case Opcode::Message:
     case Opcode::Chunk:
     case Opcode::DataEnd:
-      return corrupt(record_offset_, "a record that has no place in the summary");
+      return corrupt(record_offset_,
+                     {"a record that has no place in the summary", "un registro que no corresponde al resumen"});
     default:
       return {};
   }
@@ -321,19 +346,24 @@ Result<void> Parser::footer(const RecordView& record) {
   const std::uint32_t crc = fields.u32();
   if (!fields.ok() || record.content.size() != mcap::kFooterBytes ||
       (summary_start != 0 && summary_start != summary_start_)) {
-    return corrupt(record_offset_, "the footer is damaged");
+    return corrupt(record_offset_, {"the footer is damaged", "el pie está dañado"});
   }
   if (crc != 0 && mcap::crc32(bytes_.substr(summary_start_, covered_end - summary_start_)) != crc) {
-    return corrupt(summary_start_, "the summary does not match its checksum");
+    return corrupt(summary_start_,
+                   {"the summary does not match its checksum", "el resumen no coincide con su suma de control"});
   }
   if (bytes_.substr(record.offset + record.size()) != mcap::kMagic) {
-    return corrupt(record.offset + record.size(), "the file must end with its magic bytes and nothing after them");
+    return corrupt(record.offset + record.size(),
+                   {"the file must end with its magic bytes and nothing after them",
+                    "el archivo debe terminar con sus bytes de identificación y nada después"});
   }
   if (!sink_) {
     content_.messages = stated_messages_.value_or(0);
   } else if (stated_messages_ && *stated_messages_ != content_.messages && content_.damages.empty()) {
-    return corrupt(summary_start_, "the summary counts {} messages, the data has {}", *stated_messages_,
-                   content_.messages);
+    return corrupt(
+        summary_start_,
+        {"the summary counts {} messages, the data has {}", "el resumen cuenta {} mensajes, los datos tienen {}"},
+        *stated_messages_, content_.messages);
   }
   return {};
 }

@@ -25,8 +25,8 @@ struct McapContent {
   std::vector<mcap::Metadata> metadata;
   std::uint64_t chunks = 0;    ///< Whole ones; without a sink they are not looked at, and 0.
   std::uint64_t messages = 0;  ///< Without a sink: as the summary states, 0 where there is none.
-  std::vector<std::string>
-      damages;  ///< What Recover::Yes passed over, in the order of the file; empty = the file is whole.
+  /// What Recover::Yes passed over, in the order of the file; empty = the file is whole.
+  std::vector<Sentence> damages;
 };
 
 /// Given every message in the order of the file; its data lives only as long as the call.

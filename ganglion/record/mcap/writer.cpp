@@ -116,17 +116,20 @@ void McapWriter::write(std::uint16_t channel, std::uint64_t log_time_ns, std::ui
 
 bool McapWriter::accepts(std::uint64_t log_time_ns, std::size_t bytes) {
   const std::size_t pending = chunk_.size() + mcap::kRecordHeadBytes + mcap::kMessageHeadBytes + bytes;
-  std::string reason;
+  Sentence reason;
   if (bytes > mcap::kMaxMessageBytes) {
-    reason = fmt::format("a message of {} bytes at {} ns was left out; the limit is {}", bytes, log_time_ns,
-                         mcap::kMaxMessageBytes);
+    reason = say({"a message of {} bytes at {} ns was left out; the limit is {}",
+                  "se omitió un mensaje de {} bytes en {} ns; el límite es {}"},
+                 bytes, log_time_ns, mcap::kMaxMessageBytes);
   } else if (file_.position() + pending > options_.max_file_bytes ||
              unpacked_bytes_ + pending > options_.max_unpacked_bytes) {
-    reason = fmt::format("the file is full: nothing from {} ns on is in it", log_time_ns);
+    reason =
+        say({"the file is full: nothing from {} ns on is in it", "el archivo está lleno: no contiene nada desde {} ns"},
+            log_time_ns);
   } else {
     return true;
   }
-  if (refusal_.empty()) refusal_ = reason;
+  if (refusal_.empty()) refusal_ = std::move(reason);
   return false;
 }
 
@@ -264,7 +267,7 @@ Result<void> McapWriter::close() {
 
 Result<void> McapWriter::status() const {
   if (auto written = file_.status(); !written) return written;
-  if (!refusal_.empty()) return fail(ErrorCode::TooLarge, "{}", refusal_);
+  if (!refusal_.empty()) return tl::unexpected<Error>(Error{ErrorCode::TooLarge, refusal_});
   return {};
 }
 

@@ -103,7 +103,7 @@ class McapWriter {
   std::uint32_t schema_count_ = 0, attachment_count_ = 0, metadata_count_ = 0, chunk_count_ = 0;
   std::string schemas_, channel_records_, chunk_indices_, attachment_indices_, metadata_indices_;  ///< For the summary.
   std::uint64_t unpacked_bytes_ = 0;  ///< Of all closed chunks.
-  std::string refusal_;               ///< Why the first message was dropped.
+  Sentence refusal_;                  ///< Why the first message was dropped.
   bool closed_ = false;
 };
 

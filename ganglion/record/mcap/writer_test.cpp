@@ -77,7 +77,7 @@ TEST_F(McapWriting, SaysFromWhenOnAFileIsFullAndStaysReadable) {
   for (std::uint32_t i = 0; i < 20; ++i) writer.write(channel, i, i, i, std::string(100, 'x'));
   const auto closed = writer.close();
   ASSERT_FALSE(closed);
-  EXPECT_NE(closed.error().message.find("nothing from"), std::string::npos);
+  EXPECT_NE(closed.error().what.en.find("nothing from"), std::string::npos);
   std::vector<Got> got;
   EXPECT_TRUE(read_mcap(path(), Recover::No, collect(got)));
   EXPECT_EQ(got.size(), 7u);  // 7 * (9 + 22 + 100) = 917 bytes; with an eighth 1048

@@ -122,14 +122,20 @@ void CompassDecoder::save(std::vector<ExperiencePart>& parts) const {
 }
 
 Result<void> CompassDecoder::load(std::uint32_t version, std::span<const ExperiencePart> parts) {
-  if (version != 1) return fail(ErrorCode::Unsupported, "calibration of version {}, this program knows 1", version);
+  if (version != 1)
+    return fail(ErrorCode::Unsupported,
+                {"calibration of version {}, this program knows 1",
+                 "la calibración es de la versión {}; este programa conoce la 1"},
+                version);
   for (const ExperiencePart& part : parts) {
     if (part.name != kPart) continue;
     ByteReader reader(part.bytes);
     VoltageSpan va{reader.f64(), reader.f64()};
     VoltageSpan vb{reader.f64(), reader.f64()};
     if (!reader.complete() || !plausible(va) || !plausible(vb)) {
-      return fail(ErrorCode::Corrupt, "calibration is damaged: {} bytes, must be 4 voltages, low < high",
+      return fail(ErrorCode::Corrupt,
+                  {"calibration is damaged: {} bytes, must be 4 voltages, low < high",
+                   "la calibración está dañada: {} bytes, deben ser 4 voltajes, mínimo < máximo"},
                   part.bytes.size());
     }
     va_ = va;

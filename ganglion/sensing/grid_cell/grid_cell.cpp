@@ -8,11 +8,13 @@ namespace ganglion {
 
 Result<std::unique_ptr<GridCell>> GridCell::make(const GridCellConfig& config) {
   if (!(config.cell_m > 0) || !std::isfinite(config.cell_m)) {
-    return fail(ErrorCode::BadParameter, "cell_m is {}, must be > 0", config.cell_m);
+    return fail(ErrorCode::BadParameter, {"cell_m is {}, must be > 0", "cell_m es {}, debe ser > 0"}, config.cell_m);
   }
   const double farthest_m = config.cell_m * std::sqrt(0.5);
   if (!(config.reach_m >= 0 && config.reach_m <= farthest_m)) {
-    return fail(ErrorCode::BadParameter, "reach_m is {}, must be in [0, {}], the distance to a cell's corner",
+    return fail(ErrorCode::BadParameter,
+                {"reach_m is {}, must be in [0, {}], the distance to a cell's corner",
+                 "reach_m es {}, debe estar en [0, {}], la distancia a la esquina de una celda"},
                 config.reach_m, farthest_m);
   }
   return std::unique_ptr<GridCell>(new GridCell(config));

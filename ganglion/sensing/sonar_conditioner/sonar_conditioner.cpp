@@ -85,8 +85,9 @@ Result<std::unique_ptr<SensingModule>> SonarConditioner::make(const Parameters& 
   config.dead_after_s = parameters.real("dead_after_s");
   config.readings = parameters.integer("readings");
   if (!(config.min_range_m < config.max_range_m)) {
-    return fail(ErrorCode::BadParameter, "min_range_m is {}, must be < max_range_m = {}", config.min_range_m,
-                config.max_range_m);
+    return fail(ErrorCode::BadParameter,
+                {"min_range_m is {}, must be < max_range_m = {}", "min_range_m es {}, debe ser < max_range_m = {}"},
+                config.min_range_m, config.max_range_m);
   }
   return std::make_unique<SonarConditioner>(config);
 }

@@ -115,7 +115,7 @@ TEST(SonarConditioner, RefusesRangesOutOfOrder) {
   const auto made =
       sonar_conditioner_kind.make(testing::settings(sonar_conditioner_kind.descriptor, {{"min_range_m", 3.0}}));
   ASSERT_FALSE(made);
-  EXPECT_EQ(made.error().message, "min_range_m is 3, must be < max_range_m = 3");
+  EXPECT_EQ(made.error().what.en, "min_range_m is 3, must be < max_range_m = 3");
 }
 
 TEST(SonarConditioner, HasGoodHabitsOnAnyReadings) {

@@ -24,8 +24,8 @@ void read_sensation(Table& table, std::vector<std::string>& names, RobotDescript
   channel.min = table.number("min", all.min);
   channel.max = table.number("max", all.max);
   if (!(channel.min <= channel.max)) {
-    table.problem("max", ErrorCode::BadParameter, "max is {}, must be >= min = {}", shortest(channel.max),
-                  shortest(channel.min));
+    table.problem("max", ErrorCode::BadParameter, {"max is {}, must be >= min = {}", "max es {}, debe ser >= min = {}"},
+                  shortest(channel.max), shortest(channel.min));
   }
   channel.period_s = table.number("period_s", 0, config::kNotNegative);
   channel.mount = {{table.number("x_m", 0), table.number("y_m", 0)},
@@ -42,11 +42,15 @@ void read_command(Table& table, std::vector<std::string>& names, RobotDescriptio
   if (elements.empty()) elements.push_back(channel.name);
   const std::size_t count = elements.size();
   if (count > static_cast<std::size_t>(kMaxCommandValues)) {
-    table.problem("elements", ErrorCode::TooLarge, "has {} elements; the limit is {}", count, kMaxCommandValues);
+    table.problem("elements", ErrorCode::TooLarge,
+                  {"has {} elements; the limit is {}", "tiene {} elementos; el límite es {}"}, count,
+                  kMaxCommandValues);
   }
   auto units = table.texts("units");
   if (!units.empty() && units.size() != count) {
-    table.problem("units", ErrorCode::BadParameter, "units has {} texts, must have one for each of {} elements",
+    table.problem("units", ErrorCode::BadParameter,
+                  {"units has {} texts, must have one for each of {} elements",
+                   "units tiene {} textos, debe tener uno por cada uno de los {} elementos"},
                   units.size(), count);
   }
   units.resize(count);
@@ -55,7 +59,8 @@ void read_command(Table& table, std::vector<std::string>& names, RobotDescriptio
   const auto safe = table.numbers("safe", std::vector<double>(count, 0), count);
   for (std::size_t n = 0; n < count; ++n) {
     if (!(min[n] <= safe[n] && safe[n] <= max[n])) {
-      table.problem("safe", ErrorCode::BadParameter, "{}: safe is {}, must be in [{}, {}]", elements[n],
+      table.problem("safe", ErrorCode::BadParameter,
+                    {"{}: safe is {}, must be in [{}, {}]", "{}: safe es {}, debe estar en [{}, {}]"}, elements[n],
                     shortest(safe[n]), shortest(min[n]), shortest(max[n]));
     }
     channel.elements.push_back({elements[n], units[n], min[n], max[n], safe[n]});
@@ -69,7 +74,9 @@ void read_described(Table& root, RobotDescription& description) {
   for (const char* key : {"drive", "sensor", "energy", "battery", "substep_s"}) {
     if (root.has(key)) {
       root.problem(key, ErrorCode::BadParameter,
-                   "{} does not go with [[sensation]] and [[command]]: a robot is either simulated or described", key);
+                   {"{} does not go with [[sensation]] and [[command]]: a robot is either simulated or described",
+                    "{} no va con [[sensation]] y [[command]]: un robot es simulado o descrito"},
+                   key);
     }
     root.known(key);
   }

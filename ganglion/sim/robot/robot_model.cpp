@@ -26,7 +26,9 @@ const Kind<Product>* find_kind(Table& table, std::span<const Kind<Product>* cons
     names.emplace_back(kind->descriptor.name);
   }
   if (table.has("kind") && !name.empty()) {
-    table.problem("kind", ErrorCode::UnknownKey, "there is no kind \"{}\"{}", name, suggestion(name, names));
+    const Sentence what =
+        say({"there is no kind \"{}\"{}", "no existe el tipo \"{}\"{}"}, name, suggestion(name, names));
+    table.problem("kind", Error{ErrorCode::UnknownKey, what, {}, Subject{.found = name, .choices = names}});
   }
   // Its parameters cannot be told from slips: only the kind is reported.
   for (const std::string& key : table.keys()) table.known(key);
@@ -38,13 +40,15 @@ template <class Product>
 std::unique_ptr<Product> made(const Kind<Product>& kind, const Parameters& parameters, const Table& table) {
   auto product = kind.make(parameters);
   if (product) return std::move(*product);
-  table.problem("kind", product.error().code, "{}", product.error().message);
+  table.problem("kind", product.error());
   return nullptr;
 }
 
 void read_body(Table& root, RobotModel& model) {
   if (!root.has("body")) {
-    root.problem("body", ErrorCode::MissingKey, "[body] is missing: length_m and width_m of the robot");
+    root.problem(
+        "body", ErrorCode::MissingKey,
+        {"[body] is missing: length_m and width_m of the robot", "falta [body]: length_m y width_m del robot"});
     return;
   }
   const std::size_t before = root.problems().size();
@@ -110,7 +114,8 @@ void read_sensor(Table& table, const SimKinds& kinds, std::vector<std::string>& 
   sensor.fault_from_s = common.real("fault_from_s");
   if (model.radius_m > 0 && sensor.mount.position.length() > model.radius_m * (1 + 1e-9)) {
     table.problem("x_m", ErrorCode::BadParameter,
-                  "sits {:.3g} m from the centre, must be on the body: within its radius of {:.3g} m",
+                  {"sits {:.3g} m from the centre, must be on the body: within its radius of {:.3g} m",
+                   "está a {:.3g} m del centro, debe estar sobre el cuerpo: dentro de su radio de {:.3g} m"},
                   sensor.mount.position.length(), model.radius_m);
   }
   sensor.parameters = table.parameters(sensor.kind->descriptor.parameters);
@@ -133,7 +138,8 @@ void read_battery(Table& root, BatteryModel& battery) {
   battery = {read.real("capacity_J"), read.real("full_V"), read.real("empty_V"), read.real("resistance_ohm"),
              read.real("charge")};
   if (battery.empty_V > battery.full_V) {
-    table.problem("empty_V", ErrorCode::BadParameter, "empty_V is {}, must be <= full_V = {}", battery.empty_V,
+    table.problem("empty_V", ErrorCode::BadParameter,
+                  {"empty_V is {}, must be <= full_V = {}", "empty_V es {}, debe ser <= full_V = {}"}, battery.empty_V,
                   battery.full_V);
   }
 }
@@ -141,8 +147,10 @@ void read_battery(Table& root, BatteryModel& battery) {
 void read_simulated(Table& root, const SimKinds& kinds, RobotModel& model) {
   if (!root.has("drive")) {
     root.problem("drive", ErrorCode::MissingKey,
-                 "[drive] is missing: a robot with sensors must have one; a bare description has [[sensation]] and "
-                 "[[command]] instead");
+                 {"[drive] is missing: a robot with sensors must have one; a bare description has [[sensation]] and "
+                  "[[command]] instead",
+                  "falta [drive]: un robot con sensores debe tener tracción; una mera descripción tiene en su lugar "
+                  "[[sensation]] y [[command]]"});
   } else {
     read_drive(root.table("drive"), kinds, model);
   }

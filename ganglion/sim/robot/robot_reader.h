@@ -16,7 +16,8 @@ template <class Read>
 void each_table(config::Table& root, std::string_view key, Read read) {
   std::vector<config::Table> tables = root.tables(key);
   if (tables.size() > kMaxRobotParts) {
-    root.problem(key, ErrorCode::TooLarge, "there are {} of [[{}]]; the limit is {}", tables.size(), key,
+    root.problem(key, ErrorCode::TooLarge,
+                 {"there are {} of [[{}]]; the limit is {}", "hay {} de [[{}]]; el límite es {}"}, tables.size(), key,
                  kMaxRobotParts);
   }
   std::size_t count = 0;

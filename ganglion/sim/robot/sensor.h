@@ -146,7 +146,7 @@ class Sensor {
   /// Somebody sets a goal at a point of the world, between ticks. Gives the point that counts. Fails unless it is a
   /// trainer that can set that goal.
   virtual Result<Vector2> set_goal(const Scene&, Vector2) {
-    return fail(ErrorCode::Unsupported, "this sensor sets no goals");
+    return fail(ErrorCode::Unsupported, {"this sensor sets no goals", "este sensor no fija objetivos"});
   }
   /// What it says at once of a goal that was set so; `values` as in measure().
   virtual void tell_goal(const Scene&, std::span<double> values) const noexcept { static_cast<void>(values); }

@@ -71,7 +71,9 @@ bool Device::faulty(double time_s) const noexcept {
 
 Result<Vector2> Device::set_goal(std::size_t robot, const Scene& scene, Vector2 point, std::span<double> robot_values) {
   if (faulty(scene.time_s)) {
-    return fail(ErrorCode::BadParameter, "\"{}\" of robot {} is broken since {} s: it would tell nobody of the goal",
+    return fail(ErrorCode::BadParameter,
+                {"\"{}\" of robot {} is broken since {} s: it would tell nobody of the goal",
+                 "\"{}\" del robot {} está averiado desde {} s: no comunicaría el objetivo a nadie"},
                 model_->id, robot, shortest(model_->fault_from_s));
   }
   auto set = sensor(robot).set_goal(scene, point);

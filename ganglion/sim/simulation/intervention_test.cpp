@@ -21,7 +21,7 @@ std::string stepper_with(const std::string& trainer) {
 
 std::string refusal(Trial& trial, const Intervention& intervention) {
   const auto done = trial.simulation->intervene(intervention);
-  return done ? "" : std::string(name_of(done.error().code)) + ": " + done.error().message;
+  return done ? "" : std::string(name_of(done.error().code)) + ": " + done.error().what.en;
 }
 
 void expect_in(const std::string& text, std::string_view part) {
@@ -32,7 +32,7 @@ TEST(Intervention, SetsAGoalThatTheNextFrameTells) {
   Trial trial(kFlat, stepper_with("cells = [2, 0, 0, 1]\n"), at(0.25, 0.25));
   trial.go({1, 0}, 1);
   const auto set = trial.simulation->intervene(SetGoal{0, {0.6, 1.9}});
-  ASSERT_TRUE(set) << set.error().message;
+  ASSERT_TRUE(set) << set.error().what.en;
   EXPECT_EQ(set->point, (Vector2{0.75, 1.75}));
   EXPECT_TRUE(set->reachable);
   trial.simulation->sense(trial.senses);
@@ -80,7 +80,7 @@ TEST(Intervention, OpensATrainerThatWasDone) {
 TEST(Intervention, SaysOfASealedGoalThatNoWayLeadsThere) {
   Trial trial(kFlat, stepper_with("cells = [2, 0]\n"), at(0.25, 0.25));
   const auto set = trial.simulation->intervene(SetGoal{0, {3.4, 0.2}});
-  ASSERT_TRUE(set) << set.error().message;
+  ASSERT_TRUE(set) << set.error().what.en;
   EXPECT_FALSE(set->reachable);
   EXPECT_TRUE(std::isinf(trial.simulation->trainer_log(0)->records()[1].shortest_m));
 }
@@ -136,6 +136,8 @@ TEST(Intervention, PutsAnObstacleInTheWay) {
   expect_in(refusal(trial, PutMover{"crate", {0.75, 0.3}}), "robot 0 is there");
   expect_in(refusal(trial, PutMover{"crat", {2, 1}}),
             "NotFound: the world has no mover \"crat\"; did you mean \"crate\"?");
+  expect_in(trial.simulation->intervene(PutMover{"crat", {2, 1}}).error().what.es,
+            "el mundo no tiene el obstáculo móvil \"crat\"; ¿quiso decir \"crate\"?");
   expect_in(refusal(trial, PutMover{"crate", {std::numeric_limits<double>::infinity(), 1}}), "finite");
   expect_in(refusal(trial, PutMover{"crate", {3, 0.2}}), "a wall or something solid is there");
 }

@@ -101,7 +101,8 @@ min = [0]
   EXPECT_EQ(description.commands[1].elements[0].safe, 0);
   const auto refused = Simulation::make({testing::ground_of(testing::kRoom), model, 1, SpawnRandom{}});
   ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().message, "the robot has no [drive]: it is described, not simulated");
+  EXPECT_EQ(refused.error().what.en, "the robot has no [drive]: it is described, not simulated");
+  EXPECT_EQ(refused.error().what.es, "el robot no tiene [drive]: está descrito, no simulado");
 }
 
 TEST(RobotModel, GathersEveryProblemWithItsPlace) {
@@ -215,16 +216,16 @@ TEST(RobotModel, OutlivesMutatedFiles) {
 TEST(EveryRobotKind, SaysAllThatOthersMustKnow) {
   auto check = [](const Descriptor& descriptor, ComponentClass expected) {
     EXPECT_EQ(descriptor.component_class, expected) << descriptor.name;
-    EXPECT_FALSE(descriptor.summary.en.empty() || descriptor.summary.es.empty()) << descriptor.name;
+    EXPECT_FALSE(descriptor.summary.empty()) << descriptor.name;
     EXPECT_FALSE(descriptor.source.empty()) << descriptor.name;
     for (const PortDescriptor& port : descriptor.ports) {
-      EXPECT_FALSE(port.help.en.empty() || port.help.es.empty()) << port.name;
+      EXPECT_FALSE(port.help.empty()) << port.name;
       if (port.size > 1) {
         EXPECT_EQ(port.elements.size(), static_cast<std::size_t>(port.size)) << port.name;
       }
     }
     for (const ParameterDescriptor& parameter : descriptor.parameters) {
-      EXPECT_FALSE(parameter.help.en.empty() || parameter.help.es.empty()) << parameter.name;
+      EXPECT_FALSE(parameter.help.empty()) << parameter.name;
       if (parameter.type == ParameterType::Real) {
         EXPECT_GE(parameter.preset, parameter.min) << parameter.name;
         EXPECT_LE(parameter.preset, parameter.max) << parameter.name;

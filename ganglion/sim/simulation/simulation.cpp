@@ -16,10 +16,13 @@ Simulation::Simulation(SimulationConfig config, Spawner spawner)
     : config_(std::move(config)), spawner_(std::move(spawner)), world_(config_.ground) {}
 
 Result<std::unique_ptr<Simulation>> Simulation::make(SimulationConfig config) {
-  if (config.ground == nullptr) return fail(ErrorCode::BadParameter, "a simulation needs a ground");
-  if (config.robots < 1) return fail(ErrorCode::BadParameter, "robots is {}, must be >= 1", config.robots);
+  if (config.ground == nullptr)
+    return fail(ErrorCode::BadParameter, {"a simulation needs a ground", "una simulación necesita un terreno"});
+  if (config.robots < 1)
+    return fail(ErrorCode::BadParameter, {"robots is {}, must be >= 1", "robots es {}, debe ser >= 1"}, config.robots);
   if (config.model == nullptr || !config.model->simulated()) {
-    return fail(ErrorCode::BadParameter, "the robot has no [drive]: it is described, not simulated");
+    return fail(ErrorCode::BadParameter, {"the robot has no [drive]: it is described, not simulated",
+                                          "el robot no tiene [drive]: está descrito, no simulado"});
   }
   auto spawner = Spawner::make(config.ground, config.spawn, config.robots, config.model->radius_m);
   if (!spawner) return tl::unexpected<Error>(spawner.error());

@@ -13,16 +13,23 @@ constexpr double kTolerance_m = 1e-9;  // a robot may start exactly at a wall
 Result<std::vector<Pose2>> stated_poses(const Ground& ground, const SpawnRule& rule, int robots) {
   if (const auto* stated = std::get_if<SpawnPoses>(&rule)) {
     if (stated->poses.size() == static_cast<std::size_t>(robots)) return stated->poses;
-    return fail(ErrorCode::BadParameter, "there are {} start poses for {} robots", stated->poses.size(), robots);
+    return fail(ErrorCode::BadParameter,
+                {"there are {} start poses for {} robots", "hay {} poses de salida para {} robots"},
+                stated->poses.size(), robots);
   }
   if (const auto* named = std::get_if<SpawnNamed>(&rule)) {
     const Spawn* spawn = ground.spawn(named->id);
     if (spawn == nullptr) {
       std::vector<std::string> ids;
       for (const Spawn& other : ground.spawns()) ids.push_back(other.id);
-      return fail(ErrorCode::BadParameter, "the world has no spawn \"{}\"{}", named->id, suggestion(named->id, ids));
+      const Sentence what = say({"the world has no spawn \"{}\"{}", "el mundo no tiene el punto de salida \"{}\"{}"},
+                                named->id, suggestion(named->id, ids));
+      return tl::unexpected<Error>(Error{ErrorCode::BadParameter, what, {}, {.found = named->id, .choices = ids}});
     }
-    if (robots != 1) return fail(ErrorCode::BadParameter, "spawn \"{}\" is one place, not {}", named->id, robots);
+    if (robots != 1)
+      return fail(ErrorCode::BadParameter,
+                  {"spawn \"{}\" is one place, not {}", "el punto de salida \"{}\" es un solo lugar, no {}"}, named->id,
+                  robots);
     return std::vector<Pose2>{spawn->pose};
   }
   return std::vector<Pose2>{};
@@ -38,8 +45,10 @@ Result<Spawner> Spawner::make(std::shared_ptr<const Ground> ground, SpawnRule ru
   Spawner spawner(rule, radius_m);
   spawner.free_space_ = std::make_unique<FreeSpace>(std::move(ground));
   if (!(spawner.free_space_->largest_part_area_m2(radius_m + random->clearance_m) > 0)) {
-    return fail(ErrorCode::BadParameter, "nowhere on the ground is a robot of radius {:.3g} m {:.3g} m clear", radius_m,
-                random->clearance_m);
+    return fail(ErrorCode::BadParameter,
+                {"nowhere on the ground is a robot of radius {:.3g} m {:.3g} m clear",
+                 "en ningún lugar del terreno tiene un robot de {:.3g} m de radio {:.3g} m libres"},
+                radius_m, random->clearance_m);
   }
   return spawner;
 }
@@ -62,8 +71,10 @@ Result<Pose2> Spawner::draw(const World& world, const StreamId& stream, std::spa
     const Vector2 position = free_space_->sample(radius_m_ + random.clearance_m, draws);
     if (is_free(world, position, random.clearance_m, before)) return Pose2{position, yaw.wrapped()};
   }
-  return fail(ErrorCode::BadParameter, "no free place was found in {} draws for robot {}: too many robots?", kTries,
-              stream.robot);
+  return fail(ErrorCode::BadParameter,
+              {"no free place was found in {} draws for robot {}: too many robots?",
+               "no se halló un lugar libre en {} intentos para el robot {}: ¿demasiados robots?"},
+              kTries, stream.robot);
 }
 
 Result<void> Spawner::place(const World& world, std::uint64_t seed, std::uint32_t episode, std::span<Pose2> poses) {
@@ -79,8 +90,9 @@ Result<void> Spawner::place(const World& world, std::uint64_t seed, std::uint32_
     poses[i] = {stated->poses[i].position, stated->poses[i].yaw.wrapped()};
     if (!is_free(world, poses[i].position, 0, before)) {
       return fail(ErrorCode::BadParameter,
-                  "robot {} of radius {:.3g} m cannot start at ({:.3f}, {:.3f}): something stands there", i, radius_m_,
-                  poses[i].position.x, poses[i].position.y);
+                  {"robot {} of radius {:.3g} m cannot start at ({:.3f}, {:.3f}): something stands there",
+                   "el robot {}, de {:.3g} m de radio, no puede salir de ({:.3f}, {:.3f}): hay algo allí"},
+                  i, radius_m_, poses[i].position.x, poses[i].position.y);
     }
   }
   return {};

@@ -18,9 +18,9 @@ const std::string kFurnished =
 
 std::string refusal(const std::string& world, const SpawnRule& rule, int robots = 1) {
   auto made = Simulation::make({testing::ground_of(world), robot_of(kFast), robots, rule});
-  if (!made) return made.error().message;
+  if (!made) return made.error().what.en;
   const auto ready = (*made)->reset(1, 0);
-  return ready ? "" : ready.error().message;
+  return ready ? "" : ready.error().what.en;
 }
 
 TEST(Spawner, DrawsFreePlacesForAllRobots) {

@@ -163,7 +163,7 @@ TEST(Trainer, FailsWhereThereIsNothingToDraw) {
   ASSERT_TRUE(simulation);
   const auto ready = (*simulation)->reset(1, 0);
   ASSERT_FALSE(ready);
-  EXPECT_NE(ready.error().message.find("free cells out of reach"), std::string::npos);
+  EXPECT_NE(ready.error().what.en.find("free cells out of reach"), std::string::npos);
 }
 
 }  // namespace

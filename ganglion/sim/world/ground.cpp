@@ -70,8 +70,10 @@ Box2 bounds_of(const GroundPlan& plan, const SurfaceSet& set) {
   return box;
 }
 
-void check_limit(const GroundPlan& plan, std::size_t count, std::size_t limit, const char* what, Problems& problems) {
-  if (count > limit) problems.add(plan.place, ErrorCode::TooLarge, "has {} {}; the limit is {}", count, what, limit);
+void check_limit(const GroundPlan& plan, std::size_t count, std::size_t limit, const Text& what, Problems& problems) {
+  if (count > limit)
+    problems.add(plan.place, ErrorCode::TooLarge, {"has {} {}; the limit is {}", "tiene {} {}; el límite es {}"}, count,
+                 what, limit);
 }
 
 tl::unexpected<Error> first_of(const Problems& problems) { return tl::unexpected<Error>(problems.sorted().front()); }
@@ -93,20 +95,24 @@ Result<Ground> Ground::parse(std::string_view text, const std::string& file_name
 Result<Ground> Ground::make(GroundPlan plan, Problems& problems) {
   if (!problems.empty()) return first_of(problems);
   SurfaceSet set = surfaces_of(plan);
-  check_limit(plan, set.segments.size(), kMaxSegments, "straight pieces of surface", problems);
-  check_limit(plan, set.rounds.size(), kMaxDiscs, "discs", problems);
-  check_limit(plan, plan.movers.size(), kMaxMovers, "movers", problems);
-  check_limit(plan, plan.spawns.size(), kMaxSpawns, "spawns", problems);
-  check_limit(plan, plan.floor.zones.size(), kMaxFloorItems, "zones of floor", problems);
-  check_limit(plan, plan.floor.bumps.size(), kMaxFloorItems, "straight pieces of bumps", problems);
-  check_limit(plan, plan.beacons.size(), kMaxBeacons, "beacons", problems);
+  check_limit(plan, set.segments.size(), kMaxSegments, {"straight pieces of surface", "tramos rectos de superficie"},
+              problems);
+  check_limit(plan, set.rounds.size(), kMaxDiscs, {"discs", "discos"}, problems);
+  check_limit(plan, plan.movers.size(), kMaxMovers, {"movers", "obstáculos móviles"}, problems);
+  check_limit(plan, plan.spawns.size(), kMaxSpawns, {"spawns", "puntos de salida"}, problems);
+  check_limit(plan, plan.floor.zones.size(), kMaxFloorItems, {"zones of floor", "zonas de suelo"}, problems);
+  check_limit(plan, plan.floor.bumps.size(), kMaxFloorItems, {"straight pieces of bumps", "tramos rectos de resaltos"},
+              problems);
+  check_limit(plan, plan.beacons.size(), kMaxBeacons, {"beacons", "balizas"}, problems);
   if (!problems.empty()) return first_of(problems);
   const Box2 bounds = bounds_of(plan, set);
   Ground ground(std::move(plan), bounds, SurfaceGrid(std::move(set)));
   for (const Spawn& spawn : ground.spawns()) {
     if (!ground.inside_solid(spawn.pose.position)) continue;
     problems.add(spawn.place, ErrorCode::BadParameter,
-                 "spawn \"{}\" at ({}, {}) lies inside a solid (a box, disc or polygon, or map cells not known free)",
+                 {"spawn \"{}\" at ({}, {}) lies inside a solid (a box, disc or polygon, or map cells not known free)",
+                  "el punto de salida \"{}\" en ({}, {}) está dentro de algo sólido (una caja, un disco o un polígono, "
+                  "o celdas del mapa que no constan como libres)"},
                  spawn.id, shortest(spawn.pose.position.x), shortest(spawn.pose.position.y));
   }
   if (!problems.empty()) return first_of(problems);

@@ -16,20 +16,24 @@ Result<void> World::put_mover(std::size_t mover, Vector2 point, std::span<const 
   const Pose2 pose{point, movers_[mover].pose.yaw};
   const Box2& bounds = ground_->bounds();
   if (!bounds.contains(point)) {
-    return fail(ErrorCode::BadParameter, "({:.2f}, {:.2f}) lies outside of the world, from ({}, {}) to ({}, {})",
+    return fail(ErrorCode::BadParameter,
+                {"({:.2f}, {:.2f}) lies outside of the world, from ({}, {}) to ({}, {})",
+                 "({:.2f}, {:.2f}) está fuera del mundo, que va de ({}, {}) a ({}, {})"},
                 point.x, point.y, bounds.lower.x, bounds.lower.y, bounds.upper.x, bounds.upper.y);
   }
-  const auto refuse = [&](const std::string& what) {
-    return fail(ErrorCode::BadParameter, "\"{}\" cannot stand at ({:.2f}, {:.2f}): {}", plan.id, point.x, point.y,
-                what);
+  const auto refuse = [&](const Sentence& what) {
+    return fail(ErrorCode::BadParameter,
+                {"\"{}\" cannot stand at ({:.2f}, {:.2f}): {}", "\"{}\" no puede estar en ({:.2f}, {:.2f}): {}"},
+                plan.id, point.x, point.y, what);
   };
-  if (meets_ground(mover, pose)) return refuse("a wall or something solid is there");
+  if (meets_ground(mover, pose))
+    return refuse(say({"a wall or something solid is there", "hay una pared o algo sólido"}));
   for (std::size_t i = 0; i < robots.size(); ++i) {
-    if (meets(mover, pose, robots[i])) return refuse(fmt::format("robot {} is there", i));
+    if (meets(mover, pose, robots[i])) return refuse(say({"robot {} is there", "está el robot {}"}, i));
   }
   for (std::size_t other = 0; other < movers_.size(); ++other) {
     if (other != mover && overlaps(mover, pose, other)) {
-      return refuse(fmt::format("\"{}\" is there", movers_[other].id));
+      return refuse(say({"\"{}\" is there", "está \"{}\""}, movers_[other].id));
     }
   }
   put(mover, pose);

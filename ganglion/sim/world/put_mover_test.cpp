@@ -46,7 +46,7 @@ std::string refusal(World& world, std::size_t mover, Vector2 point, std::span<co
   const auto put = world.put_mover(mover, point, robots);
   if (put) return "";
   EXPECT_EQ(world.movers()[mover].pose.position, before) << "what is refused is not done";
-  return put.error().message;
+  return put.error().what.en;
 }
 
 TEST(PutMover, LeavesItWhereItWasPutForTheRestOfTheRun) {

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "ganglion/studio/document/wording.h"
-
 namespace ganglion::studio {
 
 std::string Ask::text(const char* key) const {
@@ -17,8 +15,8 @@ double Ask::number(const char* key, double preset) const {
   return good ? found->get<double>() : preset;
 }
 
-Reply Ask::refuse(std::string_view code, std::string_view message, unsigned status, const Json& arguments) const {
-  return failure(code, worded(message, language), status, arguments);
+Reply Ask::refuse(std::string_view code, const Sentence& what, unsigned status, const Json& arguments) const {
+  return failure(code, what, language, status, arguments);
 }
 
 }  // namespace ganglion::studio

@@ -13,6 +13,7 @@ struct Call {
   std::string path;    ///< Decoded.
   std::string target;  ///< As it came, with the query.
   std::string body;
+  Language language = Language::English;  ///< To answer in where the body names none.
 };
 
 /// What a route is called with.
@@ -27,7 +28,7 @@ struct Ask {
   /// The finite number of that name, or the preset.
   double number(const char* key, double preset) const;
   /// A failure, worded in the language of this call.
-  Reply refuse(std::string_view code, std::string_view message, unsigned status,
+  Reply refuse(std::string_view code, const Sentence& what, unsigned status,
                const Json& arguments = Json::object()) const;
 };
 

@@ -29,11 +29,14 @@ void CurrentRun::tell_state() {
 
 std::optional<Reply> CurrentRun::refuse_command(const Ask& ask) const {
   if (attached_.is_null()) return std::nullopt;
-  return ask.refuse("Forbidden", "this run belongs to the command line; it can only be watched", 403);
+  return ask.refuse("Forbidden",
+                    say({"this run belongs to the command line; it can only be watched",
+                         "esta ejecución es de la línea de órdenes; solo se puede mirar"}),
+                    403);
 }
 
 Reply CurrentRun::answer(const Ask& ask, bool done) const {
-  if (!done) return ask.refuse("NotRunning", "no run is on", 409);
+  if (!done) return ask.refuse("NotRunning", say({"no run is on", "no hay ninguna ejecución"}), 409);
   return json_reply({{"state", state()}});
 }
 

@@ -3,14 +3,13 @@
 #include "ganglion/studio/document/connect.h"
 #include "ganglion/studio/document/drawing.h"
 #include "ganglion/studio/document/edit.h"
-#include "ganglion/studio/document/wording.h"
 
 namespace ganglion::studio {
 namespace {
 
 Json connection_json(const Connection& connection, Language language) {
   Json reasons = Json::array();
-  for (const std::string& reason : connection.reasons) reasons.push_back(worded(reason, language));
+  for (const Sentence& reason : connection.reasons) reasons.push_back(reason.in(language));
   return {{"ok", connection.reasons.empty()}, {"reasons", std::move(reasons)}};
 }
 

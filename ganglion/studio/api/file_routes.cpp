@@ -1,6 +1,14 @@
 #include "ganglion/studio/api/file_routes.h"
 
 namespace ganglion::studio {
+namespace {
+
+Reply needs_more(const Ask& ask) {
+  const Sentence what = say({"path, text and based_on are needed", "hacen falta path, text y based_on"});
+  return ask.refuse("BadRequest", what, 400);
+}
+
+}  // namespace
 
 FileRoutes::FileRoutes(Router& router, const Folder& folder, Listing& listing, OnHub on_hub)
     : folder_(folder), listing_(listing), on_hub_(std::move(on_hub)) {
@@ -24,13 +32,14 @@ Reply FileRoutes::open(const Ask& ask) {
 Reply FileRoutes::save(const Ask& ask) {
   const std::string name = ask.text("path");
   if (!ask.body.contains("text") || !ask.body["text"].is_string() || !ask.body.contains("based_on")) {
-    return ask.refuse("BadRequest", "path, text and based_on are needed", 400);
+    return needs_more(ask);
   }
   const auto saved = folder_.save(name, ask.text("text"), ask.text("based_on"));
   if (!saved) return failure(saved.error(), ask.language);
   if (!*saved) {
     const Conflict& now = saved->error();
-    return ask.refuse("Conflict", "the file has changed since it was opened", 409,
+    return ask.refuse("Conflict",
+                      say({"the file has changed since it was opened", "el archivo cambió desde que se abrió"}), 409,
                       {{"hash", now.hash}, {"text", now.text}});
   }
   note_opened(name, **saved);
@@ -40,7 +49,7 @@ Reply FileRoutes::save(const Ask& ask) {
 
 Reply FileRoutes::autosave(const Ask& ask) const {
   if (!ask.body.contains("text") || !ask.body["text"].is_string()) {
-    return ask.refuse("BadRequest", "path, text and based_on are needed", 400);
+    return needs_more(ask);
   }
   const auto kept = folder_.autosave(ask.text("path"), ask.text("text"), ask.text("based_on"));
   return kept ? json_reply(Json::object()) : failure(kept.error(), ask.language);

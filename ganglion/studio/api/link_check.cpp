@@ -6,7 +6,6 @@
 #include "ganglion/link/controller/examination.h"
 #include "ganglion/link/net/lines.h"
 #include "ganglion/link/net/program.h"
-#include "ganglion/studio/document/wording.h"
 
 namespace ganglion::studio {
 namespace {
@@ -40,14 +39,13 @@ bool LinkCheck::over() const {
   return state_["done"];
 }
 
-void LinkCheck::find(bool good, const std::string& finding) {
+void LinkCheck::find(bool good, const Sentence& finding) {
   Json now;
   {
     const std::lock_guard lock(mutex_);
     if (!good) state_["good"] = false;
     if (state_["findings"].size() >= kMostFindings) return;
-    const std::string words = worded(printable(finding, kLongest), language_);
-    state_["findings"].push_back({{"good", good}, {"message", words}});
+    state_["findings"].push_back({{"good", good}, {"message", printable(finding.in(language_), kLongest)}});
     now = state_;
   }
   told_(std::move(now));
@@ -65,7 +63,7 @@ void LinkCheck::finish() {
 
 void LinkCheck::examine(const std::string& text, double reach_s, const std::function<bool()>& stop) {
   const auto address = link::parse_address(text);
-  if (!address) return find(false, address.error().message);
+  if (!address) return find(false, address.error().what);
   link::ExaminationOptions options;
   options.reach_s = reach_s;
   options.patience_s = kPatience_s;
@@ -73,29 +71,32 @@ void LinkCheck::examine(const std::string& text, double reach_s, const std::func
   options.robots = subject_.robots;
   options.stop = stop;
   const bool good = link::examine(
-      link::make_line(*address), [this](bool fine, const std::string& finding) { find(fine, finding); }, options);
-  if (good) find(true, "a controller can drive it");
+      link::make_line(*address), [this](bool fine, const Sentence& finding) { find(fine, finding); }, options);
+  if (good) find(true, say({"a controller can drive it", "un controlador puede conducirlo"}));
 }
 
 void LinkCheck::look_at_program() {
   const auto port = link::free_port();
-  if (!port) return find(false, port.error().message);
+  if (!port) return find(false, port.error().what);
   static std::atomic<int> count = 0;
   const std::filesystem::path output =
       std::filesystem::temp_directory_path() / fmt::format("ganglion_test_{}_{}.log", ::getpid(), ++count);
   {
     auto program = link::Program::start(subject_.program, subject_.folder, *port, output);
-    if (!program) return find(false, program.error().message);
-    find(true, fmt::format("the program was started: {}", subject_.program.front()));
+    if (!program) return find(false, program.error().what);
+    find(true, say({"the program was started: {}", "se inició el programa: {}"}, subject_.program.front()));
     examine(fmt::format("tcp://127.0.0.1:{}", *port), kStart_s, [&] { return stop_.load() || program->ended(); });
     if (!state()["good"]) {
-      find(false,
-           fmt::format("the program {} and last said: {}", program->ended() ? "ended" : "runs", program->last_words()));
+      find(false, program->ended()
+                      ? say({"the program ended and last said: {}", "el programa terminó y lo último que dijo es: {}"},
+                            program->last_words())
+                      : say({"the program runs and last said: {}", "el programa sigue y lo último que dijo es: {}"},
+                            program->last_words()));
     }
   }
   std::error_code ignored;
   std::filesystem::remove(output, ignored);
-  find(true, "the program was ended again");
+  find(true, say({"the program was ended again", "se terminó el programa"}));
 }
 
 void LinkCheck::look() {

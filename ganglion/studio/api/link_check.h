@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "ganglion/application/description.h"
-#include "ganglion/descriptor/language.h"
+#include "ganglion/base/sentence.h"
 
 namespace ganglion::studio {
 
@@ -43,7 +43,7 @@ class LinkCheck {
   void look();
   void look_at_program();
   void examine(const std::string& address, double reach_s, const std::function<bool()>& stop);
-  void find(bool good, const std::string& finding);
+  void find(bool good, const Sentence& finding);
   void finish();
 
   const Subject subject_;

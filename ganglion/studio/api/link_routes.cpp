@@ -2,7 +2,6 @@
 
 #include "ganglion/kinds/kinds.h"
 #include "ganglion/sim/robot/robot_model.h"
-#include "ganglion/studio/document/wording.h"
 
 namespace ganglion::studio {
 
@@ -30,9 +29,6 @@ Result<LinkCheck::Subject> LinkRoutes::subject_of(const Experiment& experiment, 
 /// The built-in simulation can be tried at once: its files are read and checked.
 Reply LinkRoutes::test_simulation(const Wanted& wanted, const Ask& ask) {
   Json findings = Json::array();
-  const auto find = [&](bool good, const std::string& message) {
-    findings.push_back({{"good", good}, {"message", worded(message, ask.language)}});
-  };
   std::optional<Prepared> prepared;
   if (const auto refused = wanted_.prepare_wanted(wanted, ask, prepared)) {
     const Json error = parsed(refused->body)["error"];
@@ -41,9 +37,11 @@ Reply LinkRoutes::test_simulation(const Wanted& wanted, const Ask& ask) {
       findings.push_back({{"good", false}, {"message", problem["message"]}});
     }
   } else {
-    find(true,
-         fmt::format("the simulation is ready: {} robot{} of \"{}\", a tick each {} s", prepared->experiment.robots,
-                     prepared->experiment.robots == 1 ? "" : "s", prepared->robot->description.name, prepared->step_s));
+    const Sentence ready = say({"the simulation is ready: {} robot{} of \"{}\", a tick each {} s",
+                                "la simulación está lista: {} robot{} de \"{}\", un ciclo cada {} s"},
+                               prepared->experiment.robots, prepared->experiment.robots == 1 ? "" : "s",
+                               prepared->robot->description.name, prepared->step_s);
+    findings.push_back({{"good", true}, {"message", ready.in(ask.language)}});
   }
   tested_ = {
       {"test", std::to_string(++tests_)}, {"done", true}, {"good", prepared.has_value()}, {"findings", findings}};
@@ -51,7 +49,12 @@ Reply LinkRoutes::test_simulation(const Wanted& wanted, const Ask& ask) {
 }
 
 Reply LinkRoutes::test(const Ask& ask) {
-  if (test_ && !test_->over()) return ask.refuse("Running", "a connection is being tested; wait for its end", 409);
+  if (test_ && !test_->over()) {
+    return ask.refuse(
+        "Running",
+        say({"a connection is being tested; wait for its end", "ya se prueba una conexión; espere a que termine"}),
+        409);
+  }
   test_.reset();
   Wanted wanted;
   Experiment experiment;
@@ -62,7 +65,10 @@ Reply LinkRoutes::test(const Ask& ask) {
   } else {
     if (auto refused = wanted_.read_application(ask, wanted)) return *refused;
     if (ask.text("address").empty() && !ask.has("program")) {
-      return ask.refuse("BadRequest", "an experiment, an address or a program is needed", 400);
+      return ask.refuse("BadRequest",
+                        say({"an experiment, an address or a program is needed",
+                             "hace falta un experimento, una dirección o un programa"}),
+                        400);
     }
     experiment.link = wanted.link;
   }

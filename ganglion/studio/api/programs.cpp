@@ -28,7 +28,9 @@ std::vector<AllowedProgram> read_programs(const std::filesystem::path& file, Pro
   for (config::Table& table : root.tables("program")) {
     AllowedProgram program{table.text("name"), table.text("help", ""), table.texts("command")};
     if (program.command.empty()) {
-      table.problem("command", ErrorCode::MissingKey, "command is missing: a list of the program and its arguments");
+      table.problem("command", ErrorCode::MissingKey,
+                    {"command is missing: a list of the program and its arguments",
+                     "falta command: una lista con el programa y sus argumentos"});
     } else {
       programs.push_back(std::move(program));
     }

@@ -11,21 +11,25 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 Reply intervene(const Ask& ask, CurrentRun& run, const sim::Intervention& what) {
   if (auto refused = run.refuse_command(ask)) return *refused;
   const bool bad = std::visit([](const auto& one) { return std::isnan(one.point.x + one.point.y); }, what);
-  if (bad) return ask.refuse("BadRequest", "x_m and y_m must be numbers", 400);
+  if (bad) return ask.refuse("BadRequest", say({"x_m and y_m must be numbers", "x_m e y_m deben ser números"}), 400);
   if (!run.is_on()) return run.answer(ask, false);
   const auto done = run.session()->intervene(what);
-  if (!done && done.error().message == kNoTickToCome) {
-    return ask.refuse("NotRunning", kNoTickToCome, 409);
+  if (!done) {
+    return ask.refuse("NotRunning",
+                      say({"the run is not going; nothing can be done to its world now",
+                           "la ejecución no está en marcha; ahora no se puede hacer nada en su mundo"}),
+                      409);
   }
-  if (!done) return failure(done.error(), ask.language);
-  return json_reply(
-      {{"x_m", done->point.x}, {"y_m", done->point.y}, {"reachable", done->reachable}, {"state", run.state()}});
+  if (!*done) return failure(done->error(), ask.language);
+  const sim::Intervened& now = **done;
+  return json_reply({{"x_m", now.point.x}, {"y_m", now.point.y}, {"reachable", now.reachable}, {"state", run.state()}});
 }
 
 Reply set_goal(const Ask& ask, CurrentRun& run) {
   const double robot = ask.number("robot", 0);
   if (!(robot >= 0 && robot <= 1e6 && robot == std::floor(robot))) {
-    return ask.refuse("BadRequest", "robot must be a whole number from 0 on", 400);
+    return ask.refuse("BadRequest",
+                      say({"robot must be a whole number from 0 on", "robot debe ser un número entero desde 0"}), 400);
   }
   return intervene(ask, run, sim::SetGoal{static_cast<int>(robot), {ask.number("x_m", kNan), ask.number("y_m", kNan)}});
 }

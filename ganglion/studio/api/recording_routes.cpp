@@ -23,7 +23,7 @@ Result<RunFile> RecordingRoutes::recording_of(const std::string& name) const {
   if (!path) return tl::unexpected<Error>(path.error());
   const auto bytes = folder_.bytes_of(*path, kMostRunBytes);
   auto file = bytes ? RunFile::parse(*bytes, name, Recover::Yes, kMostRunBytes) : tl::unexpected<Error>(bytes.error());
-  if (!file) return fail(file.error().code, "\"{}\" {}", name, file.error().message);
+  if (!file) return fail(file.error().code, {"\"{}\" {}", "\"{}\": {}"}, name, file.error().what);
   return file;
 }
 
@@ -46,7 +46,7 @@ Reply RecordingRoutes::open(const Ask& ask) {
   const std::string name = ask.text("path");
   const auto view = view_of(name);
   if (!view) return failure(view.error(), ask.language);
-  Json json = (*view)->head();
+  Json json = (*view)->head(ask.language);
   json["run"] = listing_.run(*folder_.resolve(name));
   return json_reply(json);
 }
@@ -63,12 +63,12 @@ Reply RecordingRoutes::samples(const Ask& ask) {
 
 Reply RecordingRoutes::report(const Ask& ask) const {
   const std::string name = query_value(ask.call.target, "path").value_or("");
-  const auto file = recording_of(name);
-  if (!file) return failure(file.error(), ask.language);
   const bool spanish = query_value(ask.call.target, "language") == "es";
-  const auto page = ganglion::report::report_page(plot::from_run_file(*file),
-                                                  {spanish ? plot::Language::Spanish : plot::Language::English});
-  if (!page) return failure(page.error(), ask.language);
+  const Language language = spanish ? Language::Spanish : Language::English;
+  const auto file = recording_of(name);
+  if (!file) return failure(file.error(), language);
+  const auto page = ganglion::report::report_page(plot::from_run_file(*file), {language});
+  if (!page) return failure(page.error(), language);
   return {200, "text/html; charset=utf-8", *page, true};
 }
 

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "ganglion/base/result.h"
-#include "ganglion/descriptor/language.h"
+#include "ganglion/base/sentence.h"
 #include "ganglion/studio/live/messages.h"
 
 namespace ganglion::studio {
@@ -21,7 +21,12 @@ struct Reply {
 inline Reply json_reply(const Json& json) { return {200, "application/json", dumped(json)}; }
 
 /// A failure in words and code; the status follows from the code where none is given.
-Reply failure(std::string_view code, std::string_view message, unsigned status, const Json& arguments = Json::object());
+Reply failure(std::string_view code, const Sentence& what, Language language, unsigned status,
+              const Json& arguments = Json::object());
 Reply failure(const Error& error, Language language, const Json& arguments = Json::object());
+
+/// Two that the server says too, of what lies outside of the API.
+Sentence nothing_there();
+Sentence takes_only(std::string_view method);
 
 }  // namespace ganglion::studio

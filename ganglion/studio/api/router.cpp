@@ -13,24 +13,36 @@ void Router::add(std::string path, std::string_view method, Answer answer) {
 }
 
 Reply Router::handle(const Call& call) const {
+  Ask ask{call, Json::object(), call.language};
   const auto route = routes_.find(call.path);
-  if (route == routes_.end()) return failure("UnknownPath", "there is nothing at this path", 404);
+  if (route == routes_.end()) return ask.refuse("UnknownPath", nothing_there(), 404);
   const auto& [method, answer] = route->second;
   const bool reads = method == "GET" && call.method == "HEAD";
-  if (call.method != method && !reads) return failure("BadRequest", fmt::format("this path takes {}", method), 405);
-  Ask ask{call, Json::object()};
+  if (call.method != method && !reads) return ask.refuse("BadRequest", takes_only(method), 405);
   if (method == "POST") {
-    if (!json_has_few_keys(call.body)) return failure("TooLarge", "an object of the body has too many keys", 413);
+    if (!json_has_few_keys(call.body)) {
+      return ask.refuse(
+          "TooLarge", say({"an object of the body has too many keys", "un objeto del cuerpo tiene demasiadas claves"}),
+          413);
+    }
     ask.body = call.body.empty() ? Json::object() : parsed(call.body);
-    if (!ask.body.is_object()) return ask.refuse("BadRequest", "the body must be a JSON object", 400);
+    if (!ask.body.is_object()) {
+      return ask.refuse("BadRequest", say({"the body must be a JSON object", "el cuerpo debe ser un objeto JSON"}),
+                        400);
+    }
   }
-  if (ask.text("language") == "es") ask.language = Language::Spanish;
+  const std::string language = ask.text("language");
+  if (!language.empty()) ask.language = language == "es" ? Language::Spanish : Language::English;
   try {
     return answer(ask);
   } catch (const nlohmann::json::exception&) {  // how the library says that a member is of another type
-    return ask.refuse("BadRequest", "a member of the body is of another type than it should be", 400);
+    return ask.refuse("BadRequest",
+                      say({"a member of the body is of another type than it should be",
+                           "un miembro del cuerpo es de otro tipo del que debería"}),
+                      400);
   } catch (const std::bad_alloc&) {
-    return ask.refuse("TooLarge", "there is not enough memory for that", 413);
+    return ask.refuse("TooLarge", say({"there is not enough memory for that", "no hay memoria suficiente para eso"}),
+                      413);
   }
 }
 

@@ -36,12 +36,14 @@ Result<RunPlan> plan_of(const Ask& ask, const Prepared& prepared, const Folder& 
       controller.is_object() ? controller.value("path", "") : folder.name_of(prepared.experiment.files.controller);
   const double seed = ask.number("seed", static_cast<double>(prepared.experiment.seed));
   if (!(seed >= 0 && seed <= 9e15 && seed == std::floor(seed))) {
-    return fail(ErrorCode::BadParameter, "seed is {}, must be a whole number from 0 on", seed);
+    return fail(ErrorCode::BadParameter,
+                {"seed is {}, must be a whole number from 0 on", "seed es {}, debe ser un número entero desde 0"},
+                seed);
   }
   plan.seed = static_cast<std::uint64_t>(seed);
   plan.pace = ask.number("pace", 1);
   if (!(plan.pace >= 0 && plan.pace <= 1e6))
-    return fail(ErrorCode::BadParameter, "pace is {}, must be >= 0", plan.pace);
+    return fail(ErrorCode::BadParameter, {"pace is {}, must be >= 0", "pace es {}, debe ser >= 0"}, plan.pace);
   if (prepared.experiment.link.free_running) plan.pace = 0;  // the robot keeps the time
   plan.paused = ask.has("paused") && ask.body["paused"] == Json(true);
   if (ask.has("record") && ask.body["record"] == Json(false)) return plan;
@@ -50,7 +52,8 @@ Result<RunPlan> plan_of(const Ask& ask, const Prepared& prepared, const Folder& 
   fs::path name = runs / (stem + ".mcap");
   std::error_code error;
   for (int i = 2; fs::exists(folder.root() / name, error); ++i) name = runs / fmt::format("{}_{}.mcap", stem, i);
-  if (!folder.holds(folder.root() / name)) return fail(ErrorCode::NotFound, "the folder runs leads elsewhere");
+  if (!folder.holds(folder.root() / name))
+    return fail(ErrorCode::NotFound, {"the folder runs leads elsewhere", "la carpeta runs lleva a otro sitio"});
   plan.run_file = folder.root() / name;
   plan.run_name = name.generic_string();
   return plan;

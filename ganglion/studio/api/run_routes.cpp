@@ -20,7 +20,9 @@ RunRoutes::RunRoutes(Router& router, const Folder& folder, const WantedReader& w
 
 Reply RunRoutes::start(const Ask& ask) {
   if (auto refused = run_.refuse_command(ask)) return *refused;
-  if (run_.is_on()) return ask.refuse("Running", "a run is on; stop it first", 409);
+  if (run_.is_on())
+    return ask.refuse("Running", say({"a run is on; stop it first", "hay una ejecución en marcha; deténgala antes"}),
+                      409);
   Wanted wanted;
   if (auto refused = wanted_.read_wanted(ask, wanted)) return *refused;
   std::optional<Prepared> prepared;
@@ -46,7 +48,10 @@ Reply RunRoutes::set_pace(const Ask& ask) {
   if (auto refused = run_.refuse_command(ask)) return *refused;
   const double pace = ask.number("pace", -1);
   if (!(pace >= 0 && pace <= 1e6))
-    return ask.refuse("BadParameter", "pace must be a number >= 0; 0 = as fast as can be", 400);
+    return ask.refuse("BadParameter",
+                      say({"pace must be a number >= 0; 0 = as fast as can be",
+                           "el ritmo debe ser un número >= 0; 0 = lo más rápido posible"}),
+                      400);
   if (run_.session() != nullptr) run_.session()->set_pace(pace);
   return run_.answer(ask, run_.session() != nullptr);
 }

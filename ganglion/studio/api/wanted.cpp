@@ -5,7 +5,6 @@
 
 #include "ganglion/base/text.h"
 #include "ganglion/config/source/source_map.h"
-#include "ganglion/studio/document/wording.h"
 
 namespace ganglion::studio {
 namespace {
@@ -15,13 +14,18 @@ namespace fs = std::filesystem;
 /// Keys by which --set could name files or programs: these have fields of their own, which are checked.
 constexpr std::array<std::string_view, 6> kNotSet = {"controller",        "application",         "application.robot",
                                                      "application.world", "application.program", "application.address"};
-constexpr std::string_view kNotListed = "the studio starts only programs that are listed in your own studio.toml";
+
+Reply not_listed(const Ask& ask, const std::string& program) {
+  const Sentence what = say({"the studio starts only programs that are listed in your own studio.toml",
+                             "el estudio solo inicia programas que figuran en su propio studio.toml"});
+  return ask.refuse("ProgramNotListed", what, 403, {{"program", program}});
+}
 
 Json problems_json(const Problems& problems, Language language) {
   Json list = Json::array();
   for (const Error& error : problems.sorted()) {
     list.push_back({{"code", name_of(error.code)},
-                    {"message", worded(error.message, language)},
+                    {"message", error.what.in(language)},
                     {"file", fs::path(error.place.file).filename().string()},
                     {"line", error.place.line},
                     {"column", error.place.column}});
@@ -31,7 +35,7 @@ Json problems_json(const Problems& problems, Language language) {
 
 Reply problems_reply(const Problems& problems, Language language) {
   const auto sorted = problems.sorted();
-  return failure("BadParameter", sorted.empty() ? "" : worded(sorted.front().message, language), 400,
+  return failure("BadParameter", sorted.empty() ? Sentence{} : sorted.front().what, language, 400,
                  {{"problems", problems_json(problems, language)}});
 }
 
@@ -43,7 +47,9 @@ Result<link::Address> allowed_address(const std::string& text) {
   if (!address || address->kind != link::Address::Kind::Serial) return address;
   const bool terminal =
       address->device.starts_with(kSerial) && address->device.find('/', kSerial.size()) == std::string::npos;
-  if (!terminal) return fail(ErrorCode::BadParameter, "a serial address must lead to /dev/tty...");
+  if (!terminal)
+    return fail(ErrorCode::BadParameter,
+                {"a serial address must lead to /dev/tty...", "una dirección serie debe llevar a /dev/tty..."});
   return address;
 }
 
@@ -73,7 +79,7 @@ std::optional<Reply> WantedReader::read_sets(const Ask& ask, Wanted& wanted) con
     const auto set = config::parse_override(one.is_string() ? one.get<std::string>() : std::string());
     if (!set) return failure(set.error(), ask.language);
     if (std::find(kNotSet.begin(), kNotSet.end(), set->path) != kNotSet.end()) {
-      return ask.refuse("Forbidden", fmt::format("{} cannot be set so", set->path), 403);
+      return ask.refuse("Forbidden", say({"{} cannot be set so", "{} no se puede fijar así"}, set->path), 403);
     }
     wanted.overrides.push_back(*set);
   }
@@ -85,19 +91,20 @@ std::optional<Reply> WantedReader::read_sets(const Ask& ask, Wanted& wanted) con
 std::optional<Reply> WantedReader::read_application(const Ask& ask, Wanted& wanted) const {
   if (!ask.has("address") && !ask.has("program")) return std::nullopt;
   if (ask.has("address") && ask.has("program")) {
-    return ask.refuse("BadParameter", "give either an address or a program", 400);
+    return ask.refuse("BadParameter",
+                      say({"give either an address or a program", "dé una dirección o un programa, no ambos"}), 400);
   }
   std::string address, command;
   if (ask.has("address") && !ask.text("address").empty()) {
     const auto allowed = allowed_address(ask.text("address"));
-    if (!allowed) return ask.refuse("Forbidden", allowed.error().message, 403);
+    if (!allowed) return ask.refuse("Forbidden", allowed.error().what, 403);
     address = wanted.link.address = allowed->text;
   }
   if (ask.has("program")) {
     const auto program = std::find_if(programs_.begin(), programs_.end(),
                                       [&](const AllowedProgram& one) { return one.name == ask.text("program"); });
     if (program == programs_.end()) {
-      return ask.refuse("ProgramNotListed", kNotListed, 403, {{"program", ask.text("program")}});
+      return not_listed(ask, ask.text("program"));
     }
     wanted.link.program = program->command;
     for (const std::string& word : program->command) command += (command.empty() ? "" : ", ") + config::toml_text(word);
@@ -119,18 +126,18 @@ std::optional<Reply> WantedReader::refuse_experiment(const Experiment& experimen
   const LinkChoice& link = experiment.link;
   const bool listed = link.program.empty() || std::any_of(programs_.begin(), programs_.end(),
                                                           [&](const auto& one) { return one.command == link.program; });
-  if (!listed) {
-    return ask.refuse("ProgramNotListed", kNotListed, 403, {{"program", link.program.front()}});
-  }
+  if (!listed) return not_listed(ask, link.program.front());
   if (!link.address.empty()) {
     if (const auto allowed = allowed_address(link.address); !allowed) {
-      return ask.refuse("Forbidden", allowed.error().message, 403);
+      return ask.refuse("Forbidden", allowed.error().what, 403);
     }
   }
   for (const fs::path& file : files) {
     if (file.empty() || folder_.holds(file)) continue;
-    return ask.refuse("Outside", "the experiment names a file outside of the studio's folder", 403,
-                      {{"file", file.filename().string()}});
+    return ask.refuse("Outside",
+                      say({"the experiment names a file outside of the studio's folder",
+                           "el experimento nombra un archivo fuera de la carpeta del estudio"}),
+                      403, {{"file", file.filename().string()}});
   }
   return std::nullopt;
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 #include "ganglion/base/text.h"
 #include "ganglion/graph/order.h"
@@ -10,19 +9,25 @@
 namespace ganglion::studio {
 namespace {
 
-using Messages = std::multiset<std::string>;
+/// What the checks say, in the order of its English.
+using Complaints = std::multimap<std::string, Sentence>;
 
-Messages checked(ControllerModel model, const RobotDescription& robot) {
+Complaints checked(ControllerModel model, const RobotDescription& robot) {
   Problems problems;
   resolve(model, robot, problems);
   order(model, problems);
-  Messages messages;
-  for (const Error& error : problems.sorted()) messages.insert(error.message);
-  return messages;
+  Complaints complaints;
+  for (Error& error : problems.sorted()) complaints.emplace(error.what.en, std::move(error.what));
+  return complaints;
 }
 
-std::string without_id(const std::string& message, const std::string& id) {
-  return message.starts_with(id + ": ") ? message.substr(id.size() + 2) : message;
+/// What is said of the component itself does not begin with its id.
+Sentence without_id(const Sentence& sentence, const std::string& id) {
+  const std::string opening = id + ": ";
+  const auto rest = [&](const std::string& text) {
+    return text.starts_with(opening) ? text.substr(opening.size()) : text;
+  };
+  return {rest(sentence.en), rest(sentence.es)};
 }
 
 /// Of a drawing with thousands of components not every wire is tried one by one, which takes a look at all of them.
@@ -43,22 +48,24 @@ class Trial {
     const PortDescriptor& input = to.descriptor->ports[static_cast<std::size_t>(port)];
     Connection connection{to.id, std::string(input.name), from, {}};
     if (!drawing_.robot) {
-      connection.reasons.emplace_back("the robot this is drawn for is not known");
+      connection.reasons.push_back(
+          say({"the robot this is drawn for is not known", "no se conoce el robot para el que está dibujado"}));
       return connection;
     }
     if (left_ == 0) {
-      connection.reasons.emplace_back("this drawing is too large to try every wire at once; ask for this one alone");
+      connection.reasons.push_back(
+          say({"this drawing is too large to try every wire at once; ask for this one alone",
+               "este dibujo es demasiado grande para probar todos los cables a la vez; pregunte solo por este"}));
       return connection;
     }
     --left_;
     ControllerModel model = drawing_.unresolved;
     if (!add(model.components[static_cast<std::size_t>(component)], input, port, from)) {
-      connection.reasons.push_back(fmt::format("\"{}\" is wired to it already", from));
+      connection.reasons.push_back(say({"\"{}\" is wired to it already", "\"{}\" ya está conectado a ella"}, from));
       return connection;
     }
-    for (const std::string& message : checked(std::move(model), *drawing_.robot)) {
-      const auto known = before_.count(message);
-      if (known == 0) connection.reasons.push_back(without_id(message, to.id));
+    for (const auto& [english, what] : checked(std::move(model), *drawing_.robot)) {
+      if (!before_.contains(english)) connection.reasons.push_back(without_id(what, to.id));
     }
     return connection;
   }
@@ -80,7 +87,7 @@ class Trial {
 
   const Drawing& drawing_;
   std::size_t left_;
-  Messages before_;
+  Complaints before_;
 };
 
 std::string source_id(const std::string& from) { return from.substr(0, from.find_first_of(".@")); }
@@ -166,7 +173,10 @@ Connection may_connect(const Drawing& drawing, const std::string& from, const st
   const ComponentModel* to = index >= 0 ? &drawing.unresolved.components[static_cast<std::size_t>(index)] : nullptr;
   const PortDescriptor* input = to != nullptr && to->descriptor != nullptr ? to->descriptor->port(port) : nullptr;
   if (input == nullptr || !is_input(to->component_class, input->role)) {
-    return {component, port, from, {fmt::format("there is no input \"{}\" of a component \"{}\"", port, component)}};
+    const Sentence reason =
+        say({"there is no input \"{}\" of a component \"{}\"", "no existe la entrada \"{}\" de un componente \"{}\""},
+            port, component);
+    return {component, port, from, {reason}};
   }
   return Trial(drawing).run(from, index, static_cast<int>(input - to->descriptor->ports.data()));
 }
@@ -176,7 +186,7 @@ std::vector<Connection> targets_of(const Drawing& drawing, const std::string& fr
   const int giver = drawing.model.find(source_id(from));
   const ComponentModel* source = giver >= 0 ? &drawing.model.components[static_cast<std::size_t>(giver)] : nullptr;
   const std::vector<bool> upstream = upstream_of(drawing.model, giver);
-  std::map<const PortDescriptor*, std::vector<std::string>> known;
+  std::map<const PortDescriptor*, std::vector<Sentence>> known;
   std::vector<Connection> result;
   for (std::size_t i = 0; i < drawing.unresolved.components.size(); ++i) {
     const ComponentModel& component = drawing.unresolved.components[i];
@@ -207,7 +217,7 @@ std::vector<Connection> sources_for(const Drawing& drawing, const std::string& c
   Trial trial(drawing);
   const auto position = static_cast<int>(input - to->descriptor->ports.data());
   const std::vector<bool> downstream = downstream_of(drawing.model, index);
-  std::map<std::string, std::vector<std::string>> known;  // reasons by what of a giver they depend on
+  std::map<std::string, std::vector<Sentence>> known;  // reasons by what of a giver they depend on
   const auto offer = [&](std::size_t giver, const OutputShape* output, const std::string& text) {
     const ComponentModel& from = drawing.model.components[giver];
     const bool shared = same_for_its_kind(*input, &from, text) && !downstream[giver] && !wired_to(*to, position, text);

@@ -13,7 +13,7 @@ struct Connection {
   std::string component;
   std::string port;
   std::string from;
-  std::vector<std::string> reasons;  ///< Empty: it may.
+  std::vector<Sentence> reasons;  ///< Empty: it may.
 };
 
 /// One wire, from a source as a wire's text says it ("escape.active@previous") to a port. A list gets one more, a

@@ -26,18 +26,24 @@ std::optional<RobotDescription> load_robot(const ControllerModel& model, const c
   const config::Value* named = root.find("robot");
   const Place where = named != nullptr ? named->place() : Place{place.file.string(), 1, 1};
   if (model.robot.empty()) {
-    problems.add(where, ErrorCode::MissingKey, "robot is missing: name the robot.toml it is drawn for");
+    problems.add(where, ErrorCode::MissingKey,
+                 {"robot is missing: name the robot.toml it is drawn for",
+                  "falta robot: nombre el robot.toml para el que está dibujado"});
     return std::nullopt;
   }
   if (!inside(model.robot, place.folder)) {
-    problems.add(where, ErrorCode::NotFound, "robot lies outside of the folder that the studio was started for");
+    problems.add(where, ErrorCode::NotFound,
+                 {"robot lies outside of the folder that the studio was started for",
+                  "robot está fuera de la carpeta para la que se inició el estudio"});
     return std::nullopt;
   }
   Problems in_robot;
   auto robot = sim::load_description(model.robot, sim_kinds(), {}, in_robot);
   if (!in_robot.empty()) {
     const Error first = in_robot.sorted().front();
-    problems.add(where, first.code, "the robot cannot be read: line {}: {}", first.place.line, first.message);
+    problems.add(where, first.code,
+                 {"the robot cannot be read: line {}: {}", "no se puede leer el robot: línea {}: {}"}, first.place.line,
+                 first.what);
     return std::nullopt;
   }
   return robot;
@@ -87,13 +93,10 @@ std::map<int, Owner> owners_of(const Drawing& drawing) {
   return owners;
 }
 
-/// The input that is not wired stands on no line of its own; the message names it, behind the component's id.
+/// The input that is not wired stands on no line of its own.
 std::string missing_input(const Error& error) {
-  constexpr std::string_view kBefore = "input \"", kAfter = "\" is not wired";
-  const std::size_t at = error.message.find(kBefore);
-  const std::size_t end = error.message.find(kAfter, at);
-  if (error.code != ErrorCode::BadWire || at == std::string::npos || end == std::string::npos) return "";
-  return "in." + error.message.substr(at + kBefore.size(), end - at - kBefore.size());
+  const std::string& part = error.subject.part;
+  return part.starts_with("in.") ? part : std::string();
 }
 
 void assign(Drawing& drawing, const Problems& problems) {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "ganglion/application/description.h"
+#include "ganglion/base/sentence.h"
 #include "ganglion/config/source/source_map.h"
-#include "ganglion/descriptor/language.h"
 #include "ganglion/graph/model.h"
 
 namespace ganglion::studio {

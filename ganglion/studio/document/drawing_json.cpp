@@ -1,12 +1,14 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "ganglion/base/text.h"
 #include "ganglion/studio/document/drawing.h"
 #include "ganglion/studio/document/json_text.h"
-#include "ganglion/studio/document/wording.h"
 
 namespace ganglion::studio {
 namespace {
+
+constexpr std::size_t kMostChoices = 50;
 
 template <class Texts>
 void write_texts(JsonText& json, std::string_view name, const Texts& texts) {
@@ -249,6 +251,31 @@ class ComponentWriter {
   std::unordered_map<int, const ComponentModel*> by_line_;
 };
 
+/// The nearest first. A drawing may have thousands of ids, of which nobody chooses.
+void write_choices(JsonText& json, const Subject& subject) {
+  const auto near = nearest(subject.found, subject.choices);
+  json.key("choices").begin_list();
+  if (near) json.value(*near);
+  std::size_t room = kMostChoices - (near ? 1 : 0);
+  for (const std::string& choice : subject.choices) {
+    if (choice == near) continue;
+    if (room-- == 0) break;
+    json.value(choice);
+  }
+  json.end_list();
+}
+
+void write_problem(JsonText& json, const DrawingProblem& problem, Language language) {
+  const Error& error = problem.error;
+  json.begin_object().member("code", name_of(error.code)).member("message", error.what.in(language));
+  json.member("line", error.place.line).member("column", error.place.column);
+  json.member("component", problem.component).member("port", problem.port()).member("key", problem.key);
+  json.key("subject").begin_object().member("component", error.subject.component).member("part", error.subject.part);
+  json.member("found", error.subject.found);
+  write_choices(json, error.subject);
+  json.end_object().end_object();
+}
+
 }  // namespace
 
 std::string drawing_json(const Drawing& drawing, std::string_view text, Language language) {
@@ -257,12 +284,7 @@ std::string drawing_json(const Drawing& drawing, std::string_view text, Language
   write_robot(json, drawing);
   ComponentWriter(json, drawing, text).write();
   json.key("problems").begin_list();
-  for (const DrawingProblem& problem : drawing.problems) {
-    json.begin_object().member("code", name_of(problem.error.code));
-    json.member("message", worded(problem.error.message, language));
-    json.member("line", problem.error.place.line).member("column", problem.error.place.column);
-    json.member("component", problem.component).member("port", problem.port()).member("key", problem.key).end_object();
-  }
+  for (const DrawingProblem& problem : drawing.problems) write_problem(json, problem, language);
   json.end_list().member("runnable", drawing.problems.empty()).end_object();
   return json.take();
 }

@@ -41,7 +41,7 @@ TEST(Drawing, OpensEveryControllerThatIsShippedWithoutProblems) {
   for (const auto& entry : fs::recursive_directory_iterator(kExperiments)) {
     if (!entry.path().filename().string().starts_with("controller")) continue;
     const Drawing drawing = open_drawing(read_file(entry.path()).value(), {entry.path(), kExperiments});
-    EXPECT_TRUE(drawing.problems.empty()) << entry.path() << drawing.problems.front().error.message;
+    EXPECT_TRUE(drawing.problems.empty()) << entry.path() << drawing.problems.front().error.what.en;
   }
 }
 
@@ -124,7 +124,7 @@ TEST(Connect, SaysWhyNot) {
   const Drawing drawing = open_drawing(nimrod(), kNimrod);
   const auto reason = [&](const char* from, const char* id, const char* port) {
     const Connection connection = may_connect(drawing, from, id, port);
-    return connection.reasons.empty() ? std::string("none") : connection.reasons.front();
+    return connection.reasons.empty() ? std::string("none") : connection.reasons.front().en;
   };
   EXPECT_NE(reason("sonar_left", "hold", "heading").find("input \"heading\" is in [rad], \"sonar_left\" is in [m]"),
             std::string::npos);
@@ -139,9 +139,10 @@ TEST(Connect, RefusesACircle) {
   const Drawing drawing = open_drawing(text, kNimrod);
   const Connection circle = may_connect(drawing, "avoid.side", "escape", "side");
   ASSERT_FALSE(circle.reasons.empty());
-  EXPECT_NE(circle.reasons.front().find("circle"), std::string::npos);
-  EXPECT_EQ(may_connect(drawing, "avoid.side@previous", "escape", "side").reasons.front(),
-            "\"avoid.side@previous\" is wired to it already");
+  EXPECT_NE(circle.reasons.front().en.find("circle"), std::string::npos);
+  const Connection again = may_connect(drawing, "avoid.side@previous", "escape", "side");
+  EXPECT_EQ(again.reasons, std::vector{say({"\"avoid.side@previous\" is wired to it already",
+                                            "\"avoid.side@previous\" ya está conectado a ella"})});
 }
 
 TEST(Connect, TargetsAreWhatEachPortWouldSayByItself) {

@@ -38,23 +38,29 @@ Result<void> carry_out(config::Sheet& sheet, const Json& what, std::vector<std::
     if (one.name == *name) return one.carry_out(sheet, what, ids);
     names.emplace_back(one.name);
   }
-  return fail(ErrorCode::UnknownKey, "there is no operation \"{}\"{}", *name, suggestion(*name, names));
+  return fail(ErrorCode::UnknownKey, {"there is no operation \"{}\"{}", "no hay ninguna operación \"{}\"{}"}, *name,
+              suggestion(*name, names));
 }
 
 }  // namespace
 
 Result<Edited> edit(std::string_view text, const Json& operations) {
-  if (!operations.is_array()) return fail(ErrorCode::BadType, "operations must be a list");
+  if (!operations.is_array())
+    return fail(ErrorCode::BadType, {"operations must be a list", "operations debe ser una lista"});
   config::Sheet sheet(std::string(text), kComponentLists);
   Edited edited;
   std::size_t bytes = 0;
   for (std::size_t i = 0; i < operations.size(); ++i) {
     bytes += sheet.text().size();
     if (sheet.text().size() > kMostText || (i > 0 && bytes > kMostBytes)) {
-      return fail_at({"", static_cast<int>(i)}, ErrorCode::TooLarge, "that is too much at once for a text so long");
+      return fail_at({"", static_cast<int>(i)}, ErrorCode::TooLarge,
+                     {"that is too much at once for a text so long", "es demasiado a la vez para un texto tan largo"});
     }
     auto done = carry_out(sheet, operations[i], edited.ids);
-    if (!done) return fail_at({"", static_cast<int>(i)}, done.error().code, "{}", done.error().message);
+    if (!done) {
+      done.error().place = {"", static_cast<int>(i)};
+      return tl::unexpected<Error>(std::move(done.error()));
+    }
     sheet.commit();
   }
   edited.text = sheet.take();
@@ -67,15 +73,17 @@ Result<std::string> text_in(const Json& what, const char* key) {
     const auto found = what.find(key);
     if (found != what.end() && found->is_string()) return found->get<std::string>();
   }
-  return fail(ErrorCode::BadType, "\"{}\" must be a text", key);
+  return fail(ErrorCode::BadType, {"\"{}\" must be a text", "\"{}\" debe ser un texto"}, key);
 }
 
 Result<const config::ItemSource*> component_in(const config::Sheet& sheet, const Json& what) {
   const auto id = text_in(what, "id");
   if (!id) return tl::unexpected<Error>(id.error());
   const config::ItemSource* found = sheet.find(*id);
-  if (found == nullptr)
-    return fail(ErrorCode::UnknownKey, "there is no component \"{}\"{}", *id, suggestion(*id, sheet.ids()));
+  if (found == nullptr) {
+    return fail(ErrorCode::UnknownKey, {"there is no component \"{}\"{}", "no hay ningún componente \"{}\"{}"}, *id,
+                suggestion(*id, sheet.ids()));
+  }
   return found;
 }
 
@@ -84,7 +92,9 @@ Result<std::string> toml_of(const Json& value) {
   if (value.is_number_integer()) return value.dump();
   if (value.is_number() && std::isfinite(value.get<double>())) return shortest(value.get<double>());
   if (value.is_string()) return config::toml_text(value.get<std::string>());
-  if (!value.is_array()) return fail(ErrorCode::BadType, "a value must be a number, a text, true or false, or a list");
+  if (!value.is_array())
+    return fail(ErrorCode::BadType, {"a value must be a number, a text, true or false, or a list",
+                                     "un valor debe ser un número, un texto, true o false, o una lista"});
   std::string list;
   for (const Json& item : value) {
     const auto toml = toml_of(item);
@@ -99,7 +109,9 @@ Result<void> check_id(const std::string& id) {
   bool good = !id.empty() && id.size() <= 64 && letter(id.front());
   for (const char c : id) good = good && (letter(c) || (c >= '0' && c <= '9'));
   if (good) return {};
-  return fail(ErrorCode::BadParameter, "\"{}\" is no id: write a letter, then letters, digits or _, at most 64 in all",
+  return fail(ErrorCode::BadParameter,
+              {"\"{}\" is no id: write a letter, then letters, digits or _, at most 64 in all",
+               "\"{}\" no es un id: escriba una letra y después letras, cifras o _, 64 como máximo en total"},
               id);
 }
 

@@ -48,7 +48,7 @@ Result<std::string> key_in(const Json& what, std::string_view id) {
   auto key = text_in(what, "key");
   if (!key) return key;
   if (!is_bare(*key) || *key == "in" || *key == "layout" || (*key == "id" && !id.empty())) {
-    return fail(ErrorCode::BadParameter, "\"{}\" cannot be set so", *key);
+    return fail(ErrorCode::BadParameter, {"\"{}\" cannot be set so", "\"{}\" no se puede fijar así"}, *key);
   }
   return key;
 }
@@ -70,10 +70,11 @@ std::string separated(const config::Sheet& sheet, std::size_t at, const std::str
 
 Result<std::string> position_of(const Json& value) {
   if (!value.is_array() || value.size() != 2 || !value[0].is_number() || !value[1].is_number()) {
-    return fail(ErrorCode::BadType, "a position must be [x, y]");
+    return fail(ErrorCode::BadType, {"a position must be [x, y]", "una posición debe ser [x, y]"});
   }
   const double x = value[0].get<double>(), y = value[1].get<double>();
-  if (!(std::abs(x) < 1e9 && std::abs(y) < 1e9)) return fail(ErrorCode::BadParameter, "a position lies too far off");
+  if (!(std::abs(x) < 1e9 && std::abs(y) < 1e9))
+    return fail(ErrorCode::BadParameter, {"a position lies too far off", "una posición está demasiado lejos"});
   return fmt::format("[{}, {}]", std::lround(x), std::lround(y));
 }
 
@@ -108,12 +109,12 @@ Result<void> add_component(config::Sheet& sheet, const Json& what, std::vector<s
   const auto component_class = text_in(what, "class");
   if (!component_class) return tl::unexpected<Error>(component_class.error());
   if (rank(*component_class) == kComponentLists.size()) {
-    return fail(ErrorCode::UnknownKey, "there is no class \"{}\"", *component_class);
+    return fail(ErrorCode::UnknownKey, {"there is no class \"{}\"", "no existe la clase \"{}\""}, *component_class);
   }
   const bool sensation = *component_class == "sensation";
   std::string kind = sensation ? "" : what.value("kind", Json("")).is_string() ? what.value("kind", "") : "";
   const Json set = what.value("set", Json::object());
-  if (!set.is_object()) return fail(ErrorCode::BadType, "\"set\" must be an object");
+  if (!set.is_object()) return fail(ErrorCode::BadType, {"\"set\" must be an object", "\"set\" debe ser un objeto"});
   std::string wanted = id_from(kind);
   if (sensation && set.contains("channel") && set["channel"].is_string()) {
     wanted = id_from(set["channel"].get<std::string>());
@@ -122,7 +123,9 @@ Result<void> add_component(config::Sheet& sheet, const Json& what, std::vector<s
     const auto given = text_in(what, "id");
     if (!given) return tl::unexpected<Error>(given.error());
     if (auto good = check_id(*given); !good) return good;
-    if (!sheet.is_free(*given)) return fail(ErrorCode::BadParameter, "\"{}\" is the id of another", *given);
+    if (!sheet.is_free(*given))
+      return fail(ErrorCode::BadParameter, {"\"{}\" is the id of another", "\"{}\" es el id de otro componente"},
+                  *given);
     wanted = *given;
   }
   const std::string id = sheet.free_id(wanted);
@@ -132,7 +135,7 @@ Result<void> add_component(config::Sheet& sheet, const Json& what, std::vector<s
     const auto toml = toml_of(value);
     if (!toml) return tl::unexpected<Error>(toml.error());
     if (!is_bare(key) || key == "id" || key == "kind" || key == "in") {
-      return fail(ErrorCode::BadParameter, "\"{}\" cannot be set so", key);
+      return fail(ErrorCode::BadParameter, {"\"{}\" cannot be set so", "\"{}\" no se puede fijar así"}, key);
     }
     block += fmt::format("{} = {}\n", key, *toml);
   }
@@ -152,7 +155,7 @@ Result<void> set_member(config::Sheet& sheet, const Json& what, std::vector<std:
   if (!id) return tl::unexpected<Error>(id.error());
   const auto key = key_in(what, *id);
   if (!key) return tl::unexpected<Error>(key.error());
-  if (!what.contains("value")) return fail(ErrorCode::BadType, "\"value\" is missing");
+  if (!what.contains("value")) return fail(ErrorCode::BadType, {"\"value\" is missing", "falta \"value\""});
   const auto toml = toml_of(what["value"]);
   if (!toml) return tl::unexpected<Error>(toml.error());
   sheet.set(*id, *key, *toml);
@@ -165,7 +168,7 @@ Result<void> unset_member(config::Sheet& sheet, const Json& what, std::vector<st
   const auto key = key_in(what, *id);
   if (!key) return tl::unexpected<Error>(key.error());
   const auto found = sheet.member(*id, *key);
-  if (!found) return fail(ErrorCode::UnknownKey, "\"{}\" is not set", *key);
+  if (!found) return fail(ErrorCode::UnknownKey, {"\"{}\" is not set", "\"{}\" no está fijado"}, *key);
   sheet.erase(*id, *found);
   return {};
 }
@@ -173,7 +176,7 @@ Result<void> unset_member(config::Sheet& sheet, const Json& what, std::vector<st
 Result<void> move(config::Sheet& sheet, const Json& what, std::vector<std::string>&) {
   const auto positions = what.find("positions");
   if (positions == what.end() || !positions->is_object()) {
-    return fail(ErrorCode::BadType, "\"positions\" must be an object");
+    return fail(ErrorCode::BadType, {"\"positions\" must be an object", "\"positions\" debe ser un objeto"});
   }
   std::vector<std::pair<std::string, std::string>> boxes;
   for (const auto& [id, value] : positions->items()) {

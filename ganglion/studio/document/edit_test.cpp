@@ -50,7 +50,7 @@ hold = [30, 40]
 
 std::string edited(std::string_view text, const char* operations) {
   const auto result = edit(text, Json::parse(operations));
-  EXPECT_TRUE(result) << result.error().message;
+  EXPECT_TRUE(result) << result.error().what.en;
   if (!result) return "";
   EXPECT_EQ(config::format(result->text, "").value(), result->text) << "format must leave it as it is";
   return result->text;
@@ -166,7 +166,7 @@ TEST(Edit, MakesALayoutAtTheEndWhereThereIsNone) {
 TEST(Edit, AddsAComponentBehindThoseOfItsClass) {
   const auto result = edit(kText, Json::parse(R"([{"op":"add","class":"acting","kind":"AvoidObstacle","position":[5,6]},
       {"op":"add","class":"sensation","set":{"channel":"compass.heading"}}])"));
-  ASSERT_TRUE(result) << result.error().message;
+  ASSERT_TRUE(result) << result.error().what.en;
   EXPECT_EQ(result->ids, (std::vector<std::string>{"avoid_obstacle", "compass_heading"}));
   std::string expected = with(std::string(kText), "  \"left\",\n]\n",
                               "  \"left\",\n]\n\n[[acting]]\nid = \"avoid_obstacle\"\nkind = \"AvoidObstacle\"\n");
@@ -185,7 +185,7 @@ TEST(Edit, PastesACopyUnderNewNames) {
   const auto copied = copy(kText, {"escape", "hold"});
   ASSERT_TRUE(copied);
   const auto result = edit(kText, {{{"op", "paste"}, {"toml", *copied}, {"offset", {100, 0}}}});
-  ASSERT_TRUE(result) << result.error().message;
+  ASSERT_TRUE(result) << result.error().what.en;
   EXPECT_EQ(result->ids, (std::vector<std::string>{"escape_2", "hold_2"}));
   EXPECT_NE(result->text.find("# Gets out of corners.\n[[acting]]\nid = \"escape_2\""), std::string::npos);
   EXPECT_NE(result->text.find("  \"escape_2.active@previous\",  # first\n  \"left\",\n"), std::string::npos);
@@ -215,7 +215,7 @@ TEST(Edit, KnowsInputsInATableOfTheirOwn) {
 TEST(Edit, KeepsWhatItCannotReadAndStillEditsTheRest) {
   const std::string broken = with(std::string(kText), "in.left = \"left\"\n", "in.left = \"left\nwhat is this\n");
   const auto result = edit(broken, Json::parse(R"([{"op":"set","id":"escape","key":"trigger_range_m","value":0.2}])"));
-  ASSERT_TRUE(result) << result.error().message;
+  ASSERT_TRUE(result) << result.error().what.en;
   EXPECT_EQ(result->text, with(broken, "= 0.10  # cm", "= 0.2  # cm"));
 }
 
@@ -224,7 +224,7 @@ TEST(Edit, RefusesAllWhereOneOperationCannotBe) {
                                                   {"op":"rename","id":"escpe","to":"x"}])"));
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().place.line, 1);
-  EXPECT_NE(result.error().message.find("did you mean \"escape\""), std::string::npos);
+  EXPECT_NE(result.error().what.en.find("did you mean \"escape\""), std::string::npos);
 }
 
 TEST(Edit, RefusesIdsThatAreNone) {

@@ -38,7 +38,8 @@ Result<Ends> ends_of(config::Sheet& sheet, const Json& what) {
   const bool bare = !port->empty() && std::all_of(port->begin(), port->end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
   });
-  if (!bare) return fail(ErrorCode::BadParameter, "\"{}\" is no name of a port", *port);
+  if (!bare)
+    return fail(ErrorCode::BadParameter, {"\"{}\" is no name of a port", "\"{}\" no es el nombre de un puerto"}, *port);
   const std::string id = (*component)->id;
   sheet.expand_inline(id, "in");
   return Ends{id, std::move(*port)};
@@ -56,7 +57,9 @@ Result<WiredInput> wired_input(config::Sheet& sheet, const Json& what) {
   auto ends = ends_of(sheet, what);
   if (!ends) return tl::unexpected<Error>(ends.error());
   const auto found = sheet.member(ends->id, "in." + ends->port);
-  if (!found) return fail(ErrorCode::UnknownKey, "{}: input \"{}\" is not wired", ends->id, ends->port);
+  if (!found)
+    return fail(ErrorCode::UnknownKey, {"{}: input \"{}\" is not wired", "{}: la entrada \"{}\" no está conectada"},
+                ends->id, ends->port);
   return WiredInput{std::move(*ends), *found, config::strings_in(sheet.text(), found->member->value)};
 }
 
@@ -95,7 +98,7 @@ Result<void> connect(config::Sheet& sheet, const Json& what, std::vector<std::st
   const std::vector<config::Region> items = config::strings_in(text, value);
   for (const config::Region& item : items) {
     if (config::unquoted(item.of(text)) == *from)
-      return fail(ErrorCode::BadWire, "\"{}\" is wired to it already", *from);
+      return fail(ErrorCode::BadWire, {"\"{}\" is wired to it already", "\"{}\" ya está conectado a ella"}, *from);
   }
   if (!value.of(text).starts_with('[')) {  // a list of one, written without brackets
     sheet.replace(value, fmt::format("[{}, {}]", value.of(text), config::toml_text(*from)));
@@ -127,7 +130,9 @@ Result<void> disconnect(config::Sheet& sheet, const Json& what, std::vector<std:
   const auto item = std::find_if(items.begin(), items.end(),
                                  [&](const config::Region& one) { return config::unquoted(one.of(text)) == *from; });
   if (item == items.end()) {
-    return fail(ErrorCode::UnknownKey, "{}: no wire comes from \"{}\" to input \"{}\"", ends.id, *from, ends.port);
+    return fail(ErrorCode::UnknownKey,
+                {"{}: no wire comes from \"{}\" to input \"{}\"", "{}: ningún cable va de \"{}\" a la entrada \"{}\""},
+                ends.id, *from, ends.port);
   }
   if (items.size() == 1) {
     sheet.erase(ends.id, found);
@@ -145,10 +150,12 @@ Result<void> reorder(config::Sheet& sheet, const Json& what, std::vector<std::st
   std::vector<std::string> now, wanted;
   for (const config::Region& item : items) now.push_back(config::unquoted(item.of(text)));
   const auto order = what.find("order");
-  if (order == what.end() || !order->is_array()) return fail(ErrorCode::BadType, "\"order\" must be a list of texts");
+  if (order == what.end() || !order->is_array())
+    return fail(ErrorCode::BadType, {"\"order\" must be a list of texts", "\"order\" debe ser una lista de textos"});
   for (const Json& one : *order) wanted.push_back(one.is_string() ? one.get<std::string>() : std::string());
   if (!std::is_permutation(now.begin(), now.end(), wanted.begin(), wanted.end())) {
-    return fail(ErrorCode::BadParameter, "\"order\" must name the same wires: {}", join(now));
+    return fail(ErrorCode::BadParameter,
+                {"\"order\" must name the same wires: {}", "\"order\" debe nombrar los mismos cables: {}"}, join(now));
   }
   for (std::size_t i = 0; i < items.size(); ++i) sheet.replace(items[i], config::toml_text(wanted[i]));
   return {};
@@ -162,7 +169,8 @@ Result<void> rename_component(config::Sheet& sheet, const Json& what, std::vecto
   if (!to) return tl::unexpected<Error>(to.error());
   if (auto good = check_id(*to); !good) return good;
   const std::string id = (*component)->id;
-  if (*to != id && !sheet.is_free(*to)) return fail(ErrorCode::BadParameter, "\"{}\" is the id of another", *to);
+  if (*to != id && !sheet.is_free(*to))
+    return fail(ErrorCode::BadParameter, {"\"{}\" is the id of another", "\"{}\" es el id de otro componente"}, *to);
   sheet.set(id, "id", config::toml_text(*to));
   const std::string& text = sheet.text();
   for (const config::Sheet::Entry& input : sheet.entries("in")) {
@@ -182,7 +190,8 @@ Result<void> rename_component(config::Sheet& sheet, const Json& what, std::vecto
 
 Result<void> remove_components(config::Sheet& sheet, const Json& what, std::vector<std::string>&) {
   const auto ids = what.find("ids");
-  if (ids == what.end() || !ids->is_array()) return fail(ErrorCode::BadType, "\"ids\" must be a list of texts");
+  if (ids == what.end() || !ids->is_array())
+    return fail(ErrorCode::BadType, {"\"ids\" must be a list of texts", "\"ids\" debe ser una lista de textos"});
   std::vector<std::string> gone;
   for (const Json& id : *ids) {
     const auto component = component_in(sheet, Json{{"id", id}});

@@ -16,7 +16,8 @@ Result<config::Sheet> renamed(const config::Sheet& sheet, const std::string& tom
   for (const std::string& id : sheet.ids()) taken.insert(id);
   for (const std::string& id : pasted.ids()) {
     if (auto good = check_id(id); !good) return tl::unexpected<Error>(good.error());
-    if (names.contains(id)) return fail(ErrorCode::BadParameter, "\"{}\" comes twice", id);
+    if (names.contains(id))
+      return fail(ErrorCode::BadParameter, {"\"{}\" comes twice", "\"{}\" aparece dos veces"}, id);
     std::string free = sheet.free_id(id);
     while (taken.contains(free)) free += "_2";
     taken.insert(free);
@@ -80,7 +81,9 @@ Result<void> paste(config::Sheet& sheet, const Json& what, std::vector<std::stri
   std::vector<std::string> made;
   const auto pasted = renamed(sheet, *toml, made);
   if (!pasted) return tl::unexpected<Error>(pasted.error());
-  if (made.empty()) return fail(ErrorCode::BadParameter, "the pasted text holds no component");
+  if (made.empty())
+    return fail(ErrorCode::BadParameter,
+                {"the pasted text holds no component", "el texto pegado no contiene ningún componente"});
   const auto boxes = boxes_of(*pasted, what);
   if (!boxes) return tl::unexpected<Error>(boxes.error());
   std::size_t at = sheet.map().sections.front().body_end;

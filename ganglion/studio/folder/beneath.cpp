@@ -38,10 +38,11 @@ std::string reason(int code) { return std::error_code(code, std::generic_categor
 /// What an open() that failed means to somebody who wants a file of this folder.
 tl::unexpected<Error> refused(ErrorCode otherwise, int code) {
   if (code == ENOENT || code == ENOTDIR || code == ELOOP || code == ENAMETOOLONG) {
-    return fail(ErrorCode::NotFound, "there is no such file");
+    return fail(ErrorCode::NotFound, {"there is no such file", "no existe el archivo"});
   }
-  return otherwise == ErrorCode::Unwritable ? fail(otherwise, "cannot be written: {}", reason(code))
-                                            : fail(otherwise, "cannot be read: {}", reason(code));
+  return otherwise == ErrorCode::Unwritable
+             ? fail(otherwise, {"cannot be written: {}", "no se puede escribir: {}"}, reason(code))
+             : fail(otherwise, {"cannot be read: {}", "no se puede leer: {}"}, reason(code));
 }
 
 /// The folder that holds the file, each part opened from the one before; not open where that failed, with errno.
@@ -72,13 +73,17 @@ Result<std::string> read_beneath(const fs::path& root, const fs::path& inner, st
   if (!folder.open()) return refused(ErrorCode::Unreadable, errno);
   constexpr int kFlags = O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
   const Descriptor file(::openat(folder.number(), inner.filename().c_str(), kFlags));
-  if (!file.open() && errno == ENXIO) return fail(ErrorCode::Unreadable, "is not a regular file");  // a socket
+  if (!file.open() && errno == ENXIO)
+    return fail(ErrorCode::Unreadable, {"is not a regular file", "no es un archivo corriente"});  // a socket
   if (!file.open()) return refused(ErrorCode::Unreadable, errno);
   struct stat about {};
   if (::fstat(file.number(), &about) != 0) return refused(ErrorCode::Unreadable, errno);
-  if (!S_ISREG(about.st_mode)) return fail(ErrorCode::Unreadable, "is not a regular file");
+  if (!S_ISREG(about.st_mode))
+    return fail(ErrorCode::Unreadable, {"is not a regular file", "no es un archivo corriente"});
   const auto size = static_cast<std::size_t>(about.st_size);
-  if (size > max_bytes) return fail(ErrorCode::TooLarge, "has {} bytes; the limit here is {}", size, max_bytes);
+  if (size > max_bytes)
+    return fail(ErrorCode::TooLarge, {"has {} bytes; the limit here is {}", "tiene {} bytes; aquí el límite es {}"},
+                size, max_bytes);
   std::string text(size, '\0');
   std::size_t read = 0;
   while (read < size) {
@@ -106,7 +111,7 @@ Result<void> write_beneath(const fs::path& root, const fs::path& inner, std::str
   }
   const int code = errno;
   ::unlinkat(folder.number(), part.c_str(), 0);
-  return fail(ErrorCode::Unwritable, "cannot be written: {}", reason(code));
+  return fail(ErrorCode::Unwritable, {"cannot be written: {}", "no se puede escribir: {}"}, reason(code));
 }
 
 void remove_beneath(const fs::path& root, const fs::path& inner) {

@@ -29,11 +29,12 @@ fs::path draft_of(const fs::path& file) { return file.parent_path() / ("." + fil
 
 Result<void> may_write(const fs::path& file, std::string_view text) {
   if (file.extension() != ".toml" && file.extension() != ".fll") {
-    return fail_at({file.filename().string()}, ErrorCode::Unsupported, "only .toml and .fll files are written here");
+    return fail_at({file.filename().string()}, ErrorCode::Unsupported,
+                   {"only .toml and .fll files are written here", "aquí solo se escriben archivos .toml y .fll"});
   }
   if (text.size() > kMaxText) {
-    return fail_at({file.filename().string()}, ErrorCode::TooLarge, "has {} bytes; the limit is {}", text.size(),
-                   kMaxText);
+    return fail_at({file.filename().string()}, ErrorCode::TooLarge,
+                   {"has {} bytes; the limit is {}", "tiene {} bytes; el límite es {}"}, text.size(), kMaxText);
   }
   return {};
 }
@@ -48,7 +49,7 @@ Result<Folder> Folder::open(const fs::path& root) {
   std::error_code error;
   const fs::path real = fs::canonical(root, error);
   if (error || !fs::is_directory(real, error)) {
-    return fail_at({root.string()}, ErrorCode::NotFound, "there is no such folder");
+    return fail_at({root.string()}, ErrorCode::NotFound, {"there is no such folder", "no existe esa carpeta"});
   }
   return Folder(real);
 }
@@ -69,7 +70,8 @@ std::string Folder::name_of(const fs::path& path) const { return inner(path).val
 
 Result<fs::path> Folder::resolve(std::string_view name) const {
   const auto refuse = [&] {
-    return fail(ErrorCode::NotFound, "\"{}\" is no file of this folder", printable(name, 200));
+    return fail(ErrorCode::NotFound, {"\"{}\" is no file of this folder", "\"{}\" no es un archivo de esta carpeta"},
+                printable(name, 200));
   };
   if (name.empty() || name.size() > 1000 || name.find('\0') != std::string_view::npos ||
       name.find('\\') != std::string_view::npos) {
@@ -90,7 +92,7 @@ std::optional<fs::path> Folder::seat(const fs::path& path) const {
 
 Result<std::string> Folder::text_of(const fs::path& path, std::size_t max_bytes) const {
   const auto place = seat(path);
-  if (!place) return fail(ErrorCode::NotFound, "there is no such file");
+  if (!place) return fail(ErrorCode::NotFound, {"there is no such file", "no existe el archivo"});
   return read_beneath(root_, *place, max_bytes);
 }
 
@@ -100,7 +102,7 @@ Result<std::string> Folder::bytes_of(const fs::path& path, std::size_t max_bytes
 
 Result<void> Folder::put(const fs::path& path, std::string_view text) const {
   const auto place = seat(path);
-  if (!place) return fail(ErrorCode::NotFound, "there is no such file");
+  if (!place) return fail(ErrorCode::NotFound, {"there is no such file", "no existe el archivo"});
   return write_beneath(root_, *place, text);
 }
 
@@ -112,7 +114,7 @@ Result<OpenedFile> Folder::read(std::string_view name) const {
   const auto path = resolve(name);
   if (!path) return tl::unexpected<Error>(path.error());
   auto text = text_of(real_of(*path), kMaxText);
-  if (!text) return fail(text.error().code, "\"{}\" {}", name, text.error().message);
+  if (!text) return fail(text.error().code, {"\"{}\" {}", "\"{}\": {}"}, name, text.error().what);
   OpenedFile file{std::move(*text), "", std::nullopt};
   file.hash = text_hash(file.text);
   const auto draft = text_of(draft_of(*path), kMaxText + 200);
@@ -133,7 +135,7 @@ Result<tl::expected<std::string, Conflict>> Folder::save(std::string_view name, 
   if (present) {
     now = {text_hash(*present), std::move(*present)};
   } else if (present.error().code != ErrorCode::NotFound) {
-    return fail(present.error().code, "\"{}\" {}", name, present.error().message);
+    return fail(present.error().code, {"\"{}\" {}", "\"{}\": {}"}, name, present.error().what);
   }
   using Saved = tl::expected<std::string, Conflict>;
   if (now.hash != based_on) return Saved(tl::unexpected<Conflict>(std::move(now)));
@@ -149,9 +151,12 @@ Result<void> Folder::autosave(std::string_view name, std::string_view text, cons
   const bool hash = based_on.size() <= 16 && std::all_of(based_on.begin(), based_on.end(), [](char c) {
                       return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f');
                     });
-  if (!hash) return fail(ErrorCode::BadParameter, "\"based_on\" must be the hash of the text that was opened");
+  if (!hash)
+    return fail(ErrorCode::BadParameter, {"\"based_on\" must be the hash of the text that was opened",
+                                          "\"based_on\" debe ser la huella del texto que se abrió"});
   std::error_code error;
-  if (!fs::is_directory(path->parent_path(), error)) return fail(ErrorCode::NotFound, "there is no such folder");
+  if (!fs::is_directory(path->parent_path(), error))
+    return fail(ErrorCode::NotFound, {"there is no such folder", "no existe esa carpeta"});
   return put(draft_of(*path), fmt::format("{}{}\n{}", kDraftHead, based_on, text));
 }
 

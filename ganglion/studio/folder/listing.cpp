@@ -43,7 +43,7 @@ Json run_json(const RunSummary& run) {
           {"seed", run.seed},
           {"finished", run.finished},
           {"success", run.success},
-          {"reason", run.reason},
+          {"reason", run.reason.en},
           {"digest", run.digest},
           {"controller_hash", run.controller_hash},
           {"recorded_s", run.recorded_s},

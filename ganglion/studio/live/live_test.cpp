@@ -6,6 +6,7 @@
 
 #include "ganglion/base/base64.h"
 #include "ganglion/studio/live/hub.h"
+#include "ganglion/studio/live/messages.h"
 
 namespace ganglion::studio {
 namespace {
@@ -144,6 +145,13 @@ TEST(LiveFeed, HandsRowsWholeFromOneThreadToAnother) {
   }
   run.join();
   EXPECT_EQ(torn, 0u);
+}
+
+TEST(RunEvent, SaysALineOfTheLogInBothLanguages) {
+  const auto said = [](const char* json) { return event_of("/log", "foxglove.Log", 1, json)->content["message_es"]; };
+  EXPECT_EQ(said(R"({"message":"reached","message_es":"alcanzado"})"), "alcanzado");
+  EXPECT_EQ(said(R"({"message":"reached"})"), "reached") << "older files hold English only";
+  EXPECT_EQ(said(R"({"message":3})"), "");
 }
 
 class HubTest : public ::testing::Test {

@@ -2,7 +2,6 @@
 
 #include "ganglion/base/json_depth.h"
 #include "ganglion/run/interference.h"
-#include "ganglion/studio/document/wording.h"
 
 namespace ganglion::studio {
 namespace {
@@ -16,6 +15,11 @@ int robot_of(std::string_view topic) {
     number = number * 10 + (c - '0');
   }
   return number;
+}
+
+std::string text_in(const Json& content, const char* member, std::string otherwise = "") {
+  const auto found = content.find(member);
+  return found != content.end() && found->is_string() ? found->get<std::string>() : otherwise;
 }
 
 }  // namespace
@@ -38,9 +42,8 @@ std::optional<RunEvent> event_of(std::string_view topic, std::string_view schema
   if (goal) content["robot"] = robot_of(topic);
   const std::string name = goal ? "goal" : intervention ? "intervention" : "log";
   if (name == "log") {
-    const auto said = content.find("message");
-    const bool text = said != content.end() && said->is_string();
-    content["message_es"] = text ? worded(said->get<std::string>(), Language::Spanish) : std::string();
+    const std::string english = text_in(content, "message");
+    content["message_es"] = text_in(content, "message_es", english);  // files of before said it in English only
   }
   return RunEvent{name, std::move(content)};
 }

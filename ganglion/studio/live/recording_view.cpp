@@ -106,7 +106,9 @@ double RecordingView::duration_s() const {
   return last_s;
 }
 
-Json RecordingView::head() const {
+Json RecordingView::head(Language language) const {
+  Json damages = Json::array();
+  for (const Sentence& damage : file_.damages) damages.push_back(damage.in(language));
   Json streams = Json::array();
   for (std::size_t i = 0; i < file_.tables.size(); ++i) {
     Json columns = Json::array();
@@ -128,7 +130,7 @@ Json RecordingView::head() const {
   }
   return {{"info", latest_of(file_, "/run")}, {"scene", latest_of(file_, "/scene")}, {"streams", std::move(streams)},
           {"events", events_of(file_)},       {"duration_s", duration_s()},          {"tick_s", file_.info.tick_s},
-          {"damages", file_.damages}};
+          {"damages", std::move(damages)}};
 }
 
 std::string RecordingView::samples(double from_s, double to_s, std::size_t every) const {

@@ -15,8 +15,8 @@ class RecordingView {
  public:
   explicit RecordingView(RunFile file);
 
-  /// docs/studio_api.md, /api/recording/open; without "run".
-  Json head() const;
+  /// docs/studio_api.md, /api/recording/open; without "run"; damages in that language.
+  Json head(Language language) const;
   /// Samples with from_s <= t <= to_s in order of time, each behind its length as u32; of rows every nth. Maps begin
   /// with their whole state at from_s.
   std::string samples(double from_s, double to_s, std::size_t every) const;

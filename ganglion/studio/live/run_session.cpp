@@ -6,7 +6,6 @@
 #include "ganglion/plot/from_run_file.h"
 #include "ganglion/record/run_file.h"
 #include "ganglion/report/report.h"
-#include "ganglion/studio/document/wording.h"
 
 namespace ganglion::studio {
 namespace {
@@ -30,38 +29,24 @@ Result<void> write_report(const std::filesystem::path& run_file) {
   return report::write_report(plot::from_run_file(*file), page);
 }
 
-}  // namespace
-
-namespace {
-
-/// An error in both languages: {member: ..., member_es: ...}.
-void tell(Json& outcome, const std::string& member, Error error, bool with_place) {
-  outcome[member] = with_place ? error.text() : error.message;
-  error.message = worded(error.message, Language::Spanish);
-  outcome[member + "_es"] = with_place ? error.text() : error.message;
-}
-
-/// The run words what it says itself; what the robot's end of a link says is in our dictionary.
-std::string spanish_reason(const RunResult& result) {
-  std::string reason = result.reason_es;
-  if (!result.link_lost) return reason;
-  const std::size_t at = reason.find(result.link_lost->message);
-  if (at == std::string::npos) return reason;
-  return reason.replace(at, result.link_lost->message.size(), worded(result.link_lost->message, Language::Spanish));
+/// {"error": ..., "error_es": ...}
+void tell_error(Json& outcome, const Error& error) {
+  outcome["error"] = error.text();
+  outcome["error_es"] = error.text(Language::Spanish);
 }
 
 }  // namespace
 
 Json outcome_json(const RunResult& result, const std::string& file) {
   Json outcome = {{"success", result.success},
-                  {"reason", result.reason},
-                  {"reason_es", spanish_reason(result)},
+                  {"reason", result.reason.en},
+                  {"reason_es", result.reason.es},
                   {"digest", result.digest},
                   {"interventions", result.interventions},
                   {"measures", numbers(result.measures)},
                   {"file", file},
                   {"error", nullptr}};
-  if (result.record_error) tell(outcome, "error", *result.record_error, true);
+  if (result.record_error) tell_error(outcome, *result.record_error);
   return outcome;
 }
 
@@ -113,24 +98,31 @@ bool RunSession::over() const {
   return phase_ == "done";
 }
 
-Result<sim::Intervened> RunSession::intervene(const sim::Intervention& what) {
+std::optional<Result<sim::Intervened>> RunSession::intervene(const sim::Intervention& what) {
   if (prepared_->experiment.link.remote()) {
     return fail(ErrorCode::Unsupported,
-                "the robots are at the other end of a link; goals and obstacles can only be set in a world that is "
-                "simulated here");
+                {"the robots are at the other end of a link; goals and obstacles can only be set in a world that is "
+                 "simulated here",
+                 "los robots están al otro extremo de un enlace; solo se pueden fijar objetivos y obstáculos en un "
+                 "mundo simulado aquí"});
   }
   Wish wish{&what, std::nullopt};
   std::unique_lock lock(mutex_);
-  if (!reachable_) return fail(ErrorCode::BadParameter, "{}", kNoTickToCome);
-  if (wishes_.size() >= kMostWishes) return fail(ErrorCode::TooLarge, "{} others wait to be done", wishes_.size());
+  if (!reachable_) return std::nullopt;
+  if (wishes_.size() >= kMostWishes) {
+    return fail(ErrorCode::TooLarge, {"{} others wait to be done", "hay otras {} en espera"}, wishes_.size());
+  }
   wishes_.push_back(&wish);
   wake_.notify_all();
-  const auto answered = [&] { return wish.answer.has_value(); };
+  const auto answered = [&] { return wish.answer.has_value() || wish.too_late; };
   if (!answered_.wait_for(lock, kPatience, answered)) {
-    if (std::erase(wishes_, &wish) > 0) return fail(ErrorCode::BadParameter, "{}", kTickTooLong);
+    if (std::erase(wishes_, &wish) > 0) {
+      return fail(ErrorCode::BadParameter, {"the present tick takes too long; nothing was done",
+                                            "el ciclo actual tarda demasiado; no se hizo nada"});
+    }
     answered_.wait(lock, answered);  // it is being done
   }
-  return *wish.answer;
+  return wish.answer;
 }
 
 /// Between ticks: does what others wait for.
@@ -149,7 +141,7 @@ void RunSession::grant(std::unique_lock<std::mutex>& lock) {
 void RunSession::refuse_wishes() {
   const std::lock_guard lock(mutex_);
   reachable_ = false;
-  for (Wish* wish : wishes_) wish->answer = fail(ErrorCode::BadParameter, "{}", kNoTickToCome);
+  for (Wish* wish : wishes_) wish->too_late = true;
   wishes_.clear();
   answered_.notify_all();
 }
@@ -228,12 +220,11 @@ void RunSession::conclude(const Result<RunResult>& result) {
   if (result) {
     outcome = outcome_json(*result, plan_.run_file.empty() ? "" : plan_.run_name);
     if (!plan_.run_file.empty() && !result->record_error) {
-      if (const auto written = write_report(plan_.run_file); !written) tell(outcome, "error", written.error(), true);
+      if (const auto written = write_report(plan_.run_file); !written) tell_error(outcome, written.error());
     }
   } else {
-    outcome = {{"success", false}};
-    tell(outcome, "reason", result.error(), false);
-    tell(outcome, "error", result.error(), true);
+    outcome = {{"success", false}, {"reason", result.error().what.en}, {"reason_es", result.error().what.es}};
+    tell_error(outcome, result.error());
   }
   {
     const std::lock_guard lock(mutex_);

@@ -18,10 +18,6 @@ namespace ganglion::studio {
 
 using Json = nlohmann::ordered_json;
 
-/// Why nothing can be done to a run's world.
-inline constexpr std::string_view kNoTickToCome = "the run is not going; nothing can be done to its world now";
-inline constexpr std::string_view kTickTooLong = "the present tick takes too long; nothing was done";
-
 /// What the page says of a run besides what the run file will.
 struct RunPlan {
   std::string experiment;  ///< Path, from the folder on.
@@ -56,9 +52,9 @@ class RunSession {
   void set_pace(double pace);
   bool over() const;
   /// Has something done to the running world before its next tick, also while the run is held, and waits until that is
-  /// done or refused. Fails with what the simulation says, with NotRunning where no tick will come, or with TooLarge
-  /// where too many others wait.
-  Result<sim::Intervened> intervene(const sim::Intervention& what);
+  /// done or refused. None where no tick will come. Fails with what the simulation says, with TooLarge where too many
+  /// others wait, or with BadParameter where the present tick takes too long.
+  std::optional<Result<sim::Intervened>> intervene(const sim::Intervention& what);
 
   /// docs/studio_api.md, RunState.
   Json state() const;
@@ -78,6 +74,7 @@ class RunSession {
   struct Wish {
     const sim::Intervention* what;
     std::optional<Result<sim::Intervened>> answer;
+    bool too_late = false;  ///< No tick will come; there is no answer then.
   };
   void grant(std::unique_lock<std::mutex>& lock);
   void refuse_wishes();

@@ -66,7 +66,9 @@ class Robot {
     config.token = link::random_token;
     end_.emplace(*recorder_, robots_->witness(), config);
     server_ = std::move(link::Server::listen(*end_, *link::parse_address("127.0.0.1:0")).value());
-    thread_ = std::jthread([this] { server_->serve([this] { return stop_.load(); }, "the simulation was ended"); });
+    thread_ = std::jthread([this] {
+      server_->serve([this] { return stop_.load(); }, say({"the simulation was ended", "se terminó la simulación"}));
+    });
   }
   ~Robot() { stop(); }
   void stop() {

@@ -34,6 +34,11 @@ constexpr std::string_view kReportPolicy =
 
 std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }
 
+/// The one that a browser names first, as in "es-ES,es;q=0.8", where we speak it.
+Language language_of(std::string_view accepted) {
+  return accepted.substr(0, accepted.find_first_of("-,; ")) == "es" ? Language::Spanish : Language::English;
+}
+
 /// One onlooker's WebSocket. What he sends is read, for its limits, and means nothing.
 class Watch : public std::enable_shared_from_this<Watch> {
  public:
@@ -149,17 +154,22 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
 
   void refuse_broken(Code error) {
     keep_ = false;
-    if (error == http::error::header_limit) return send(failure("TooLarge", "the header is too large", 431));
-    if (error == http::error::body_limit) return send(failure("TooLarge", "the body is larger than 8 MiB", 413));
+    if (error == http::error::header_limit) {
+      return refuse("TooLarge", say({"the header is too large", "el encabezado es demasiado grande"}), 431);
+    }
+    if (error == http::error::body_limit) {
+      return refuse("TooLarge", say({"the body is larger than 8 MiB", "el cuerpo pasa de 8 MiB"}), 413);
+    }
     const bool gone = error == http::error::end_of_stream || error == beast::error::timeout ||
                       error == http::error::partial_message || error.category() == boost::system::system_category();
     if (gone || error == asio::error::eof || error == asio::error::operation_aborted) return;
-    send(failure("BadRequest", "this is no HTTP", 400));
+    refuse("BadRequest", say({"this is no HTTP", "esto no es HTTP"}), 400);
   }
 
   void let_in() {
     const Request& request = parser_->get();
     method_ = std::string(view(request.method_string()));
+    language_ = language_of(view(request[http::field::accept_language]));
     keep_ = request.keep_alive();
     RequestHead head;
     head.method = method_;
@@ -179,16 +189,19 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     }
     if (verdict.status != 200) {
       keep_ = false;  // what else it sends is not read
-      return send(failure(verdict.status == 421   ? "WrongHost"
-                          : verdict.status == 401 ? "Unauthorized"
-                                                  : "Forbidden",
-                          verdict.why, verdict.status));
+      return refuse(verdict.status == 421   ? "WrongHost"
+                    : verdict.status == 401 ? "Unauthorized"
+                                            : "Forbidden",
+                    verdict.why, verdict.status);
     }
     core_.connections.admit(id_);
     const auto encoding = request[http::field::transfer_encoding];
     if (!encoding.empty() && !beast::iequals(encoding, "chunked")) {
       keep_ = false;  // where its body ends is not known
-      return send(failure("BadRequest", "of transfer encodings only chunked is known", 501));
+      return refuse("BadRequest",
+                    say({"of transfer encodings only chunked is known",
+                         "de las codificaciones de transferencia solo se conoce chunked"}),
+                    501);
     }
     if (head.upgrade) return upgrade();
     if (beast::iequals(request[http::field::expect], "100-continue")) return go_on();
@@ -206,8 +219,12 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     Request request = parser_->release();
     const std::string path =
         percent_decoded(view(request.target()).substr(0, view(request.target()).find('?'))).value_or("");
-    if (path != "/ws") return send(failure("UnknownPath", "there is no WebSocket at this path", 404));
-    if (!core_.connections.watch(id_)) return send(failure("TooLarge", "there are viewers enough", 503));
+    if (path != "/ws") {
+      return refuse("UnknownPath", say({"there is no WebSocket at this path", "aquí no hay ningún WebSocket"}), 404);
+    }
+    if (!core_.connections.watch(id_)) {
+      return refuse("TooLarge", say({"there are viewers enough", "ya hay bastantes espectadores"}), 503);
+    }
     handed_over_ = true;
     core_.connections.remove(id_);
     const auto place = std::make_shared<std::weak_ptr<Watch>>();
@@ -231,9 +248,11 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
 
   void answer() {
     const Request& request = parser_->get();
-    Call call{method_, "", std::string(view(request.target())), request.body()};
+    Call call{method_, "", std::string(view(request.target())), request.body(), language_};
     const auto path = percent_decoded(std::string_view(call.target).substr(0, call.target.find('?')));
-    if (!path || !path->starts_with('/')) return send(failure("BadRequest", "the path is badly encoded", 400));
+    if (!path || !path->starts_with('/')) {
+      return refuse("BadRequest", say({"the path is badly encoded", "la ruta está mal codificada"}), 400);
+    }
     call.path = *path;
     if (!call.path.starts_with("/api/")) return send_asset(call.path);
     stream_.expires_never();  // the answer takes what it takes
@@ -244,10 +263,10 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   }
 
   void send_asset(const std::string& path) {
-    if (method_ != "GET" && method_ != "HEAD") return send(failure("BadRequest", "this path takes GET", 405));
+    if (method_ != "GET" && method_ != "HEAD") return refuse("BadRequest", takes_only("GET"), 405);
     const bool packed = view(parser_->get()[http::field::accept_encoding]).find("gzip") != std::string_view::npos;
     auto asset = core_.assets.find(path, packed);
-    if (!asset) return send(failure("UnknownPath", "there is nothing at this path", 404));
+    if (!asset) return refuse("UnknownPath", nothing_there(), 404);
     packed_ = asset->gzip;
     send({200, std::move(asset->type), std::move(asset->body)});
   }
@@ -282,6 +301,9 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   }
 
   void send(Reply reply) { write(make_response(std::move(reply))); }
+  void refuse(std::string_view code, const Sentence& what, unsigned status) {
+    send(failure(code, what, language_, status));
+  }
 
   void write(std::shared_ptr<Response> response) {
     stream_.expires_after(kSendTime);
@@ -318,6 +340,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   beast::flat_buffer buffer_{kHeadBytes + (64 << 10)};
   std::optional<http::request_parser<http::string_body>> parser_;
   std::string method_;
+  Language language_ = Language::English;
   std::uint64_t id_ = 0;
   std::uint64_t wasted_ = 0;
   bool keep_ = false;

@@ -41,32 +41,41 @@ std::string without_token(std::string_view target) {
 
 bool is_reading(std::string_view method) { return method == "GET" || method == "HEAD"; }
 
+Verdict refused(unsigned status, Sentence why) { return {status, std::move(why), ""}; }
+
 }  // namespace
 
 Verdict judge(const GuardConfig& config, const RequestHead& head) {
   const bool known_host = std::find(config.hosts.begin(), config.hosts.end(), head.host) != config.hosts.end();
-  if (!known_host || head.hosts != 1) return {421, "this server does not answer to that Host", ""};
+  if (!known_host || head.hosts != 1) {
+    return refused(421, say({"this server does not answer to that Host", "este servidor no responde a ese Host"}));
+  }
   if (head.method == "GET" && !head.upgrade && head.target.starts_with('/')) {
     if (const auto token = query_value(head.target, "token")) {
-      if (!same_secret(*token, config.token)) return {401, "the token in the URL is not this server's", ""};
-      return {303, "", without_token(head.target)};
+      if (same_secret(*token, config.token)) return {303, {}, without_token(head.target)};
+      return refused(401, say({"the token in the URL is not this server's",
+                               "la clave (token) de la URL no es la de este servidor"}));
     }
   }
   constexpr std::string_view kBearer = "Bearer ";
   const bool script =
       head.authorization.starts_with(kBearer) && same_secret(head.authorization.substr(kBearer.size()), config.token);
   if (!script && !has_cookie(head.cookies, config.cookie, config.session)) {
-    return {401, "open the URL that ganglion studio printed; it holds the key", ""};
+    return refused(401, say({"open the URL that ganglion studio printed; it holds the key",
+                             "abra la URL que escribió ganglion studio; contiene la clave"}));
   }
   const bool own_page = head.origins == 1 && head.origin == "http://" + std::string(head.host);
   const bool no_page =
       script && head.origins == 0;  // a browser names the page of every such request, a script has none
   if ((!is_reading(head.method) || head.upgrade) && !own_page && !no_page) {
-    return {403, "only this server's own page may ask for that: Origin must be http://" + std::string(head.host), ""};
+    return refused(403, say({"only this server's own page may ask for that: Origin must be http://{}",
+                             "solo la página de este servidor puede pedir eso: Origin debe ser http://{}"},
+                            head.host));
   }
-  if (head.origins > 0 && !own_page) return {403, "another page asked", ""};
   const bool own_fetch = head.fetch_site.empty() || head.fetch_site == "same-origin" || head.fetch_site == "none";
-  if (!own_fetch) return {403, "another page asked", ""};
+  if ((head.origins > 0 && !own_page) || !own_fetch) {
+    return refused(403, say({"another page asked", "lo pidió otra página"}));
+  }
   return {};
 }
 

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "ganglion/base/sentence.h"
+
 namespace ganglion::studio {
 
 /// Who may ask, and by what name this server is asked.
@@ -31,7 +33,7 @@ struct RequestHead {
 
 struct Verdict {
   unsigned status = 200;
-  std::string why;       ///< For people.
+  Sentence why{};
   std::string location;  ///< Of a 303: where to, with the cookie set.
 };
 

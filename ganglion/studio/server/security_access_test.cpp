@@ -149,7 +149,7 @@ TEST_F(Security, ListensForThisMachineUnlessToldOtherwise) {
 TEST_F(Security, ListensForOthersOnlyWhereANameIsGiven) {
   const auto open = Server::start({.folder = folder(), .address = "0.0.0.0"});
   ASSERT_FALSE(open);
-  EXPECT_NE(open.error().message.find("--allow-host"), std::string::npos);
+  EXPECT_NE(open.error().what.en.find("--allow-host"), std::string::npos);
   const auto named = Server::start({.folder = folder(), .address = "0.0.0.0", .allow_hosts = {"robot.local"}});
   ASSERT_TRUE(named);
   Client client{(*named)->port(), (*named)->token(), {}};

@@ -63,11 +63,16 @@ struct Server::Core {
 Result<void> Server::Core::listen(const ServerOptions& options) {
   boost::system::error_code error;
   const auto address = asio::ip::make_address(options.address, error);
-  if (error)
-    return fail(ErrorCode::BadParameter, "\"{}\" is no address to listen on; write 127.0.0.1:PORT", options.address);
+  if (error) {
+    return fail(ErrorCode::BadParameter,
+                {"\"{}\" is no address to listen on; write 127.0.0.1:PORT",
+                 "\"{}\" no es una dirección en la que escuchar; escriba 127.0.0.1:PUERTO"},
+                options.address);
+  }
   if (!address.is_loopback() && options.allow_hosts.empty()) {
     return fail(ErrorCode::BadParameter,
-                "{} can be reached by other machines: say by which name with --allow-host, if you mean it",
+                {"{} can be reached by other machines: say by which name with --allow-host, if you mean it",
+                 "a {} llegan otras máquinas: diga con qué nombre mediante --allow-host, si es lo que quiere"},
                 options.address);
   }
   const tcp::endpoint endpoint(address, options.port);
@@ -75,8 +80,10 @@ Result<void> Server::Core::listen(const ServerOptions& options) {
   if (!error) acceptor.set_option(asio::socket_base::reuse_address(true), error);
   if (!error) acceptor.bind(endpoint, error);
   if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
-  if (error)
-    return fail(ErrorCode::Unwritable, "cannot listen on {}:{}: {}", options.address, options.port, error.message());
+  if (error) {
+    return fail(ErrorCode::Unwritable, {"cannot listen on {}:{}: {}", "no se puede escuchar en {}:{}: {}"},
+                options.address, options.port, error.message());
+  }
   port = acceptor.local_endpoint().port();
   host = address.is_v6() ? "[" + address.to_string() + "]" : address.to_string();
   if (address.is_unspecified()) host = "127.0.0.1";

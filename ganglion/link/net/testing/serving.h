@@ -15,10 +15,10 @@ class Serving {
  public:
   explicit Serving(RobotEnd& end, const std::string& at = "127.0.0.1:0") {
     auto server = Server::listen(end, *parse_address(at));
-    EXPECT_TRUE(server) << server.error().message;
+    EXPECT_TRUE(server) << server.error().what.en;
     server_ = std::move(*server);
     thread_ = std::jthread([this](const std::stop_token& stop) {
-      server_->serve([&stop] { return stop.stop_requested(); }, "the test is over");
+      server_->serve([&stop] { return stop.stop_requested(); }, say({"the test is over", "la prueba terminó"}));
     });
   }
   void stop() {

@@ -21,7 +21,7 @@ std::unique_ptr<Product> made(const Kind<Product>& kind,
   Parameters parameters(kind.descriptor.parameters);
   for (const auto& [name, value] : changed) parameters.set(name, value);
   auto product = kind.make(parameters);
-  EXPECT_TRUE(product) << product.error().message;
+  EXPECT_TRUE(product) << product.error().what.en;
   return std::move(*product);
 }
 

@@ -37,8 +37,10 @@ constexpr std::array kParameters = {
 Result<std::unique_ptr<Sensor>> make(const Parameters& parameters) {
   const RangeConfig config{parameters.real("min_range_m"), parameters.real("max_range_m"), parameters.real("noise_m")};
   if (config.min_range_m >= config.max_range_m) {
-    return fail(ErrorCode::BadParameter, "min_range_m is {}, must be less than max_range_m = {}", config.min_range_m,
-                config.max_range_m);
+    return fail(ErrorCode::BadParameter,
+                {"min_range_m is {}, must be less than max_range_m = {}",
+                 "min_range_m es {}, debe ser menor que max_range_m = {}"},
+                config.min_range_m, config.max_range_m);
   }
   return std::make_unique<Range>(config);
 }

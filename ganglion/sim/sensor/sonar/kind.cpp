@@ -197,8 +197,10 @@ SonarConfig config_of(const Parameters& parameters) {
 Result<std::unique_ptr<Sensor>> make(const Parameters& parameters) {
   const SonarConfig config = config_of(parameters);
   if (config.min_range_m >= config.max_range_m) {
-    return fail(ErrorCode::BadParameter, "min_range_m is {}, must be less than max_range_m = {}", config.min_range_m,
-                config.max_range_m);
+    return fail(ErrorCode::BadParameter,
+                {"min_range_m is {}, must be less than max_range_m = {}",
+                 "min_range_m es {}, debe ser menor que max_range_m = {}"},
+                config.min_range_m, config.max_range_m);
   }
   return std::make_unique<Sonar>(config);
 }

@@ -75,14 +75,21 @@ constexpr std::array kParameters = {
 Result<std::vector<CellGrid::Cell>> cells_of(std::span<const double> numbers) {
   std::vector<CellGrid::Cell> cells;
   if (numbers.size() % 2 != 0) {
-    return fail(ErrorCode::BadParameter, "cells has {} numbers, must be pairs of column and row", numbers.size());
+    return fail(ErrorCode::BadParameter,
+                {"cells has {} numbers, must be pairs of column and row",
+                 "cells tiene {} números, deben ser pares de columna y fila"},
+                numbers.size());
   }
   if (numbers.size() / 2 > kMaxGoals) {
-    return fail(ErrorCode::TooLarge, "cells has {} goals; the limit is {}", numbers.size() / 2, kMaxGoals);
+    return fail(ErrorCode::TooLarge,
+                {"cells has {} goals; the limit is {}", "cells tiene {} objetivos; el límite es {}"},
+                numbers.size() / 2, kMaxGoals);
   }
   for (std::size_t n = 0; n < numbers.size(); n += 2) {
     if (std::floor(numbers[n]) != numbers[n] || std::floor(numbers[n + 1]) != numbers[n + 1]) {
-      return fail(ErrorCode::BadParameter, "cells has ({}, {}), must be whole numbers", numbers[n], numbers[n + 1]);
+      return fail(ErrorCode::BadParameter,
+                  {"cells has ({}, {}), must be whole numbers", "cells tiene ({}, {}), deben ser números enteros"},
+                  numbers[n], numbers[n + 1]);
     }
     cells.push_back({static_cast<std::int32_t>(numbers[n]), static_cast<std::int32_t>(numbers[n + 1])});
   }
@@ -92,7 +99,8 @@ Result<std::vector<CellGrid::Cell>> cells_of(std::span<const double> numbers) {
 Result<std::unique_ptr<Sensor>> make(const Parameters& parameters) {
   const int turn_deg = parameters.integer("max_turn_deg");
   if (turn_deg != 45 && turn_deg != 90 && turn_deg != 180) {
-    return fail(ErrorCode::BadParameter, "max_turn_deg is {}, must be 45, 90 or 180", turn_deg);
+    return fail(ErrorCode::BadParameter,
+                {"max_turn_deg is {}, must be 45, 90 or 180", "max_turn_deg es {}, debe ser 45, 90 o 180"}, turn_deg);
   }
   auto cells = cells_of(parameters.reals("cells"));
   if (!cells) return tl::unexpected<Error>(cells.error());

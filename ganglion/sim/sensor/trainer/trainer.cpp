@@ -56,11 +56,15 @@ Result<void> Trainer::draw_goals(CellGrid::Cell start, Draws& draws) {
   }
   const int sealed_goals = static_cast<int>(std::floor(config_.goals * config_.sealed_share + 0.5));
   if (sealed_goals < config_.goals && reachable.size() < 3) {
-    return fail(ErrorCode::BadParameter, "the robot can step to {} cells of {} m from ({}, {}), too few for goals",
+    return fail(ErrorCode::BadParameter,
+                {"the robot can step to {} cells of {} m from ({}, {}), too few for goals",
+                 "el robot puede llegar a {} celdas de {} m desde ({}, {}): muy pocas para objetivos"},
                 reachable.size(), config_.cell_m, start.column, start.row);
   }
   if (sealed_goals > 0 && sealed.size() < 2) {
-    return fail(ErrorCode::BadParameter, "sealed_share is {}, but the ground has {} free cells out of reach",
+    return fail(ErrorCode::BadParameter,
+                {"sealed_share is {}, but the ground has {} free cells out of reach",
+                 "sealed_share es {}, pero el terreno tiene {} celdas libres fuera de alcance"},
                 config_.sealed_share, sealed.size());
   }
   CellGrid::Cell before = start;
@@ -149,15 +153,21 @@ Result<Vector2> Trainer::set_goal(const Scene& scene, Vector2 point) {
   const Vector2 centre = grid_->centre(cell);
   if (!grid_->contains(cell) || !grid_->free(cell)) {
     return fail(ErrorCode::BadParameter,
-                "cell ({}, {}) at ({:.2f}, {:.2f}) cannot be a goal: there is no room for the robot at its centre",
+                {"cell ({}, {}) at ({:.2f}, {:.2f}) cannot be a goal: there is no room for the robot at its centre",
+                 "la celda ({}, {}) en ({:.2f}, {:.2f}) no puede ser un objetivo: el robot no cabe en su centro"},
                 cell.column, cell.row, centre.x, centre.y);
   }
   if (records_.back().goal == cell) {
-    return fail(ErrorCode::BadParameter, "cell ({}, {}) at ({:.2f}, {:.2f}) is the goal already", cell.column, cell.row,
-                centre.x, centre.y);
+    return fail(ErrorCode::BadParameter,
+                {"cell ({}, {}) at ({:.2f}, {:.2f}) is the goal already",
+                 "la celda ({}, {}) en ({:.2f}, {:.2f}) ya es el objetivo"},
+                cell.column, cell.row, centre.x, centre.y);
   }
   if (goals_set_ == kMaxGoalsSet) {
-    return fail(ErrorCode::TooLarge, "{} goals have been set in this run; the limit is {}", goals_set_, kMaxGoalsSet);
+    return fail(ErrorCode::TooLarge,
+                {"{} goals have been set in this run; the limit is {}",
+                 "ya se fijaron {} objetivos en esta ejecución; el límite es {}"},
+                goals_set_, kMaxGoalsSet);
   }
   if (records_.back().outcome == GoalOutcome::Open) conclude(scene, outcome(scene).value_or(GoalOutcome::Replaced));
   withdrawn_ = false;

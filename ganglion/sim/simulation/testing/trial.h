@@ -54,7 +54,7 @@ class Trial {
       : Trial(ground_of(world), robot_of(robot), std::move(spawn), robots) {}
   Trial(std::shared_ptr<const Ground> ground, std::shared_ptr<const RobotModel> model, SpawnRule spawn, int robots) {
     auto made = Simulation::make({std::move(ground), std::move(model), robots, std::move(spawn)});
-    EXPECT_TRUE(made) << made.error().message;
+    EXPECT_TRUE(made) << made.error().what.en;
     simulation = std::move(*made);
     for (int i = 0; i < robots; ++i) {
       senses.push_back(make_sense_frame(simulation->description()));
@@ -65,7 +65,7 @@ class Trial {
   }
   void reset(std::uint64_t seed, std::uint32_t episode) {
     const auto ready = simulation->reset(seed, episode);
-    EXPECT_TRUE(ready) << ready.error().message;
+    EXPECT_TRUE(ready) << ready.error().what.en;
     simulation->sense(senses);
   }
   /// The same command for all robots, for a number of steps.

@@ -28,16 +28,21 @@ std::string_view without_comment(std::string_view line) noexcept {
 
 Result<std::string> unquoted(std::string_view word, const Place& place) {
   const std::string_view inner = trimmed(word);
-  if (inner.empty()) return fail_at(place, ErrorCode::Syntax, "a value is missing");
+  if (inner.empty()) return fail_at(place, ErrorCode::Syntax, {"a value is missing", "falta un valor"});
   const char first = inner.front();
   if (first == '"' || first == '\'') {
     if (inner.size() < 2 || inner.back() != first || inner.substr(1, inner.size() - 2).find(first) != inner.npos) {
-      return fail_at(place, ErrorCode::Syntax, "the quote {} is not closed at the end of the value", first);
+      return fail_at(
+          place, ErrorCode::Syntax,
+          {"the quote {} is not closed at the end of the value", "la comilla {} no está cerrada al final del valor"},
+          first);
     }
     return std::string(inner.substr(1, inner.size() - 2));
   }
   if (std::string_view("{}[]&*!|>%@`").find(first) != std::string_view::npos) {
-    return fail_at(place, ErrorCode::Syntax, "a map file has plain values, texts in quotes and lists [a, b, c] only");
+    return fail_at(place, ErrorCode::Syntax,
+                   {"a map file has plain values, texts in quotes and lists [a, b, c] only",
+                    "un archivo de mapa solo tiene valores simples, textos entre comillas y listas [a, b, c]"});
   }
   return std::string(inner);
 }
@@ -51,7 +56,9 @@ Result<void> read_value(std::string_view text, YamlEntry& entry) {
     entry.items.push_back(std::move(*item));
     return {};
   }
-  if (!text.ends_with(']')) return fail_at(entry.place, ErrorCode::Syntax, "the list has no ] at the end of the line");
+  if (!text.ends_with(']'))
+    return fail_at(entry.place, ErrorCode::Syntax,
+                   {"the list has no ] at the end of the line", "la lista no tiene ] al final de la línea"});
   for (const std::string& part : split(text.substr(1, text.size() - 2), ',')) {
     auto item = unquoted(part, entry.place);
     if (!item) return tl::unexpected<Error>(item.error());
@@ -71,18 +78,22 @@ class Parser {
     const auto indent = static_cast<int>(text.data() - whole.data());
     const Place place{file_, number, indent + 1};
     if (text == "-" || text.starts_with("- ")) return item(text.substr(1), place);
-    if (indent > 0) return fail_at(place, ErrorCode::Syntax, "nothing is nested in a map file: start at the margin");
+    if (indent > 0)
+      return fail_at(place, ErrorCode::Syntax,
+                     {"nothing is nested in a map file: start at the margin",
+                      "en un archivo de mapa no hay nada anidado: empiece en el margen"});
     const std::size_t colon = text.find(':');
     if (colon == std::string_view::npos || colon == 0 ||
         (colon + 1 < text.size() && text[colon + 1] != ' ' && text[colon + 1] != '\t')) {
-      return fail_at(place, ErrorCode::Syntax, "write key: value");
+      return fail_at(place, ErrorCode::Syntax, {"write key: value", "escriba clave: valor"});
     }
     return entry(std::string(trimmed(text.substr(0, colon))), trimmed(text.substr(colon + 1)), place, whole);
   }
 
   Result<std::vector<YamlEntry>> finish() {
     for (const YamlEntry& entry : entries_) {
-      if (entry.items.empty()) return fail_at(entry.place, ErrorCode::Syntax, "{} has no value", entry.key);
+      if (entry.items.empty())
+        return fail_at(entry.place, ErrorCode::Syntax, {"{} has no value", "{} no tiene valor"}, entry.key);
     }
     return std::move(entries_);
   }
@@ -90,7 +101,8 @@ class Parser {
  private:
   Result<void> item(std::string_view text, const Place& place) {
     if (entries_.empty() || (!entries_.back().items.empty() && !dashed_)) {
-      return fail_at(place, ErrorCode::Syntax, "a list item without a key above it");
+      return fail_at(place, ErrorCode::Syntax,
+                     {"a list item without a key above it", "un elemento de lista sin una clave encima"});
     }
     auto value = unquoted(text, place);
     if (!value) return tl::unexpected<Error>(value.error());
@@ -101,11 +113,14 @@ class Parser {
 
   Result<void> entry(std::string key, std::string_view value, Place place, std::string_view whole) {
     if (entries_.size() >= kMaxEntries) {
-      return fail_at(place, ErrorCode::TooLarge, "has more than {} keys; a map file needs six", kMaxEntries);
+      return fail_at(
+          place, ErrorCode::TooLarge,
+          {"has more than {} keys; a map file needs six", "tiene más de {} claves; un archivo de mapa necesita seis"},
+          kMaxEntries);
     }
     const auto same = [&](const YamlEntry& entry) { return entry.key == key; };
     if (std::any_of(entries_.begin(), entries_.end(), same)) {
-      return fail_at(place, ErrorCode::Syntax, "{} is given twice", key);
+      return fail_at(place, ErrorCode::Syntax, {"{} is given twice", "{} se da dos veces"}, key);
     }
     if (!value.empty()) place.column = static_cast<int>(value.data() - whole.data()) + 1;
     dashed_ = false;
@@ -122,7 +137,9 @@ class Parser {
 
 Result<std::vector<YamlEntry>> parse_flat_yaml(std::string_view text, const std::string& file_name) {
   if (text.size() > kMaxBytes) {
-    return fail_at({file_name}, ErrorCode::TooLarge, "has {} bytes; a map file may have {}", text.size(), kMaxBytes);
+    return fail_at({file_name}, ErrorCode::TooLarge,
+                   {"has {} bytes; a map file may have {}", "tiene {} bytes; un archivo de mapa puede tener {}"},
+                   text.size(), kMaxBytes);
   }
   Parser parser(file_name);
   int number = 0;

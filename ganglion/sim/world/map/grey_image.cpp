@@ -46,7 +46,9 @@ class Reader {
 };
 
 tl::unexpected<Error> too_bright(const std::string& file, std::size_t pixel, int value, const GreyImage& image) {
-  return fail_at({file}, ErrorCode::Corrupt, "pixel {} (row {} from the top, column {}) is {}, above the maximum {}",
+  return fail_at({file}, ErrorCode::Corrupt,
+                 {"pixel {} (row {} from the top, column {}) is {}, above the maximum {}",
+                  "el píxel {} (fila {} desde arriba, columna {}) es {}, mayor que el máximo {}"},
                  pixel, pixel / image.columns, pixel % image.columns, value, image.max_value);
 }
 
@@ -54,7 +56,10 @@ Result<GreyImage> read_plain(Reader reader, GreyImage image, std::size_t pixels,
   for (std::size_t i = 0; i < pixels; ++i) {
     const auto value = reader.number(65535);
     if (!value) {
-      return fail_at({file}, ErrorCode::Corrupt, "pixel {} of {} is missing or no number from 0 to 65535", i, pixels);
+      return fail_at({file}, ErrorCode::Corrupt,
+                     {"pixel {} of {} is missing or no number from 0 to 65535",
+                      "el píxel {} de {} falta o no es un número de 0 a 65535"},
+                     i, pixels);
     }
     if (*value > image.max_value) return too_bright(file, i, *value, image);
     image.values.push_back(static_cast<std::uint16_t>(*value));
@@ -65,8 +70,10 @@ Result<GreyImage> read_plain(Reader reader, GreyImage image, std::size_t pixels,
 Result<GreyImage> read_binary(std::string_view bytes, GreyImage image, std::size_t pixels, const std::string& file) {
   const std::size_t width = image.max_value > 255 ? 2 : 1;
   if (bytes.size() < pixels * width) {
-    return fail_at({file}, ErrorCode::Corrupt, "is cut: {} x {} pixels need {} bytes, {} are there", image.columns,
-                   image.rows, pixels * width, bytes.size());
+    return fail_at({file}, ErrorCode::Corrupt,
+                   {"is cut: {} x {} pixels need {} bytes, {} are there",
+                    "está cortado: {} x {} píxeles necesitan {} bytes, hay {}"},
+                   image.columns, image.rows, pixels * width, bytes.size());
   }
   image.values.resize(pixels);
   for (std::size_t i = 0; i < pixels; ++i) {
@@ -83,19 +90,23 @@ Result<GreyImage> read_binary(std::string_view bytes, GreyImage image, std::size
 Result<GreyImage> parse_pgm(std::string_view bytes, const std::string& file_name, std::size_t max_pixels) {
   const bool plain = bytes.starts_with("P2");
   if (!plain && !bytes.starts_with("P5")) {
-    return fail_at({file_name}, ErrorCode::Unsupported, "is no PGM picture: it must start with P5 or P2");
+    return fail_at(
+        {file_name}, ErrorCode::Unsupported,
+        {"is no PGM picture: it must start with P5 or P2", "no es una imagen PGM: debe empezar con P5 o P2"});
   }
   Reader reader(bytes);
   const auto columns = reader.number(kMaxSide), rows = columns ? reader.number(kMaxSide) : std::nullopt;
   const auto max_value = rows ? reader.number(65535) : std::nullopt;
   if (!max_value || *columns < 1 || *rows < 1 || *max_value < 1 || !reader.separator()) {
     return fail_at({file_name}, ErrorCode::Syntax,
-                   "the header must be P5 or P2, width, height and a maximum from 1 to 65535");
+                   {"the header must be P5 or P2, width, height and a maximum from 1 to 65535",
+                    "el encabezado debe ser P5 o P2, ancho, alto y un máximo de 1 a 65535"});
   }
   const std::size_t pixels = static_cast<std::size_t>(*columns) * static_cast<std::size_t>(*rows);
   if (pixels > max_pixels) {
-    return fail_at({file_name}, ErrorCode::TooLarge, "has {} x {} pixels; the limit is {} in all", *columns, *rows,
-                   max_pixels);
+    return fail_at({file_name}, ErrorCode::TooLarge,
+                   {"has {} x {} pixels; the limit is {} in all", "tiene {} x {} píxeles; el límite es {} en total"},
+                   *columns, *rows, max_pixels);
   }
   GreyImage image{*columns, *rows, *max_value, {}};
   return plain ? read_plain(reader, std::move(image), pixels, file_name)

@@ -22,7 +22,7 @@ class MapFile {
   MapFile(std::vector<YamlEntry> entries, std::string file, Problems& problems)
       : entries_(std::move(entries)), file_(std::move(file)), problems_(problems) {
     for (const std::string_view key : kRequired) {
-      if (find(key) == nullptr) note({ErrorCode::MissingKey, fmt::format("{} is missing", key), {file_}});
+      if (find(key) == nullptr) note({ErrorCode::MissingKey, say({"{} is missing", "falta {}"}, key), {file_}});
     }
   }
 
@@ -35,7 +35,8 @@ class MapFile {
     const YamlEntry* entry = find(key);
     if (entry == nullptr) return preset;
     if (!entry->is_list) return entry->items.front();
-    note({ErrorCode::BadType, fmt::format("{} is a list, must be one value", key), entry->place});
+    note({ErrorCode::BadType, say({"{} is a list, must be one value", "{} es una lista, debe ser un solo valor"}, key),
+          entry->place});
     return preset;
   }
 
@@ -45,15 +46,17 @@ class MapFile {
     const YamlEntry* entry = find(key);
     if (entry == nullptr) return std::vector<double>(count, min);
     if (entry->items.size() != count || entry->is_list != (count > 1)) {
-      const std::string right = count == 1 ? "one number" : fmt::format("a list of {} numbers", count);
-      note({ErrorCode::BadType, fmt::format("{} must be {}", key, right), entry->place});
+      const Sentence right = count == 1 ? say({"one number", "un número"})
+                                        : say({"a list of {} numbers", "una lista de {} números"}, count);
+      note({ErrorCode::BadType, say({"{} must be {}", "{} debe ser {}"}, key, right), entry->place});
       return std::vector<double>(count, min);
     }
     for (const std::string& item : entry->items) {
       const auto value = parse_number(item);
       if (!value || !(*value >= min && *value <= max)) {
         note({value ? ErrorCode::BadParameter : ErrorCode::BadType,
-              fmt::format("{} is {}, must be a number from {} to {}", key, item, shortest(min), shortest(max)),
+              say({"{} is {}, must be a number from {} to {}", "{} es {}, debe ser un número de {} a {}"}, key, item,
+                  shortest(min), shortest(max)),
               entry->place});
       }
       values.push_back(value.value_or(min));
@@ -65,7 +68,7 @@ class MapFile {
   bool flag(std::string_view key) {
     const std::string value = word(key, "0");
     if (value != "0" && value != "1" && value != "true" && value != "false") {
-      note({ErrorCode::BadType, fmt::format("{} is {}, must be 0 or 1", key, value), place(key)});
+      note({ErrorCode::BadType, say({"{} is {}, must be 0 or 1", "{} es {}, debe ser 0 o 1"}, key, value), place(key)});
     }
     return value == "1" || value == "true";
   }
@@ -108,7 +111,7 @@ std::vector<Occupancy> cells_of(const GreyImage& image, const Thresholds& thresh
 Result<GreyImage> load_image(const std::filesystem::path& path, const Place& named_at) {
   const auto bytes = read_file(path);
   if (!bytes && bytes.error().code == ErrorCode::NotFound) {
-    return fail_at(named_at, ErrorCode::NotFound, "there is no picture {}", path.string());
+    return fail_at(named_at, ErrorCode::NotFound, {"there is no picture {}", "no existe la imagen {}"}, path.string());
   }
   if (!bytes) return tl::unexpected<Error>(bytes.error());
   return parse_pgm(*bytes, path.string(), kMaxMapCells);
@@ -137,8 +140,9 @@ std::optional<OccupancyMap> read_map(const std::filesystem::path& yaml_path, Pro
   const Thresholds thresholds{file.flag("negate"), file.number("occupied_thresh", 0, 1),
                               file.number("free_thresh", 0, 1)};
   if (const std::string mode = file.word("mode", "trinary"); mode != "trinary") {
-    file.note(
-        {ErrorCode::Unsupported, fmt::format("mode is {}; only trinary maps are read", mode), file.place("mode")});
+    file.note({ErrorCode::Unsupported,
+               say({"mode is {}; only trinary maps are read", "mode es {}; solo se leen mapas trinary"}, mode),
+               file.place("mode")});
   }
   if (problems.size() > before) return std::nullopt;
   const auto image = load_image(yaml_path.parent_path() / image_name, file.place("image"));
@@ -146,9 +150,11 @@ std::optional<OccupancyMap> read_map(const std::filesystem::path& yaml_path, Pro
   const Pose2 pose{{origin[0], origin[1]}, Angle::from_rad(origin[2]).wrapped()};
   OccupancyMap map(image->columns, image->rows, resolution_m, pose, cells_of(*image, thresholds));
   if (within_limits(map.bounds())) return map;
-  return keep(Error{ErrorCode::TooLarge,
-                    fmt::format("the map reaches beyond {} m from the world's origin", kMaxCoordinate_m),
-                    file.place("origin")});
+  return keep(Error{
+      ErrorCode::TooLarge,
+      say({"the map reaches beyond {} m from the world's origin", "el mapa llega a más de {} m del origen del mundo"},
+          kMaxCoordinate_m),
+      file.place("origin")});
 }
 
 }  // namespace

@@ -21,7 +21,10 @@ std::optional<Box2> read_box(config::Table& table, std::string_view key) {
   const auto box = table.numbers(key, {}, 4, kCoordinate);
   if (box.size() != 4) return std::nullopt;
   if (box[0] < box[2] && box[1] < box[3]) return Box2{{box[0], box[1]}, {box[2], box[3]}};
-  table.problem(key, ErrorCode::BadParameter, "{} is [min x, min y, max x, max y]: it must not be empty", key);
+  table.problem(key, ErrorCode::BadParameter,
+                {"{} is [min x, min y, max x, max y]: it must not be empty",
+                 "{} es [x mín, y mín, x máx, y máx]: no debe estar vacío"},
+                key);
   return std::nullopt;
 }
 
@@ -80,7 +83,10 @@ void read_mover_body(config::Table& table, MoverPlan& mover) {
     mover.radius_m = table.number("radius_m", kExtent);
     for (const char* key : {"length_m", "width_m"}) {
       if (table.has(key))
-        table.problem(key, ErrorCode::BadParameter, "a mover is a disc or a box: {} or radius_m", key);
+        table.problem(
+            key, ErrorCode::BadParameter,
+            {"a mover is a disc or a box: {} or radius_m", "un obstáculo móvil es un disco o una caja: {} o radius_m"},
+            key);
       table.known(key);
     }
     return;
@@ -96,9 +102,12 @@ void read_mover_places(config::Table& table, MoverPlan& mover) {
   if (mover.places.size() < 2 && !table.has("change_after_s")) return;
   const auto change = table.numbers("change_after_s", {}, 2, config::kPositive);
   if (!table.has("change_after_s")) {
-    table.problem("places", ErrorCode::MissingKey, "change_after_s = [min, max] is missing: when does it jump?");
+    table.problem("places", ErrorCode::MissingKey,
+                  {"change_after_s = [min, max] is missing: when does it jump?",
+                   "falta change_after_s = [mín, máx]: ¿cuándo salta?"});
   } else if (change.size() == 2 && change[0] > change[1]) {
-    table.problem("change_after_s", ErrorCode::BadParameter, "change_after_s has its smaller number last");
+    table.problem("change_after_s", ErrorCode::BadParameter,
+                  {"change_after_s has its smaller number last", "change_after_s tiene el número menor al final"});
   } else if (change.size() == 2) {
     mover.change_min_s = change[0];
     mover.change_max_s = change[1];
@@ -124,7 +133,8 @@ void read_mover_stroll(config::Table& table, MoverPlan& mover) {
     stroll.pause_min_s = pause[0];
     stroll.pause_max_s = pause[1];
     if (pause[0] > pause[1]) {
-      table.problem("pause_s", ErrorCode::BadParameter, "pause_s has its smaller number last");
+      table.problem("pause_s", ErrorCode::BadParameter,
+                    {"pause_s has its smaller number last", "pause_s tiene el número menor al final"});
     }
   }
   constexpr std::array<std::string_view, 2> kAvoids = {"nothing", "robots"};
@@ -143,8 +153,10 @@ void read_movers(config::Table& root, ItemIds& ids, GroundPlan& plan) {
     if (ways != 1) {
       table.problem(
           table.has("path") ? "path" : "id", ErrorCode::BadParameter,
-          "a mover has either places = [[x, y], ...] to jump between or a path = [[x, y], ...] to follow or an "
-          "area = [min x, min y, max x, max y] to stroll in");
+          {"a mover has either places = [[x, y], ...] to jump between or a path = [[x, y], ...] to follow or an "
+           "area = [min x, min y, max x, max y] to stroll in",
+           "un obstáculo móvil tiene una sola de estas claves: places = [[x, y], ...] entre los que salta, path = [[x, "
+           "y], ...] que sigue, o area = [x mín, y mín, x máx, y máx] por la que pasea"});
       for (const char* key : {"path", "places", "area", "yaw_deg", "change_after_s", "speed_mps", "loop", "x_m", "y_m",
                               "pause_s", "avoids"}) {
         table.known(key);
@@ -176,7 +188,7 @@ void read_map(config::Table& root, GroundPlan& plan, Problems& problems) {
   const auto path = root.path("map");
   if (path.empty()) return;
   if (!std::filesystem::exists(path)) {
-    root.problem("map", ErrorCode::NotFound, "there is no file {}", path.string());
+    root.problem("map", ErrorCode::NotFound, {"there is no file {}", "no existe el archivo {}"}, path.string());
   } else if (auto map = OccupancyMap::load(path, problems)) {
     plan.map = std::move(*map);
   }

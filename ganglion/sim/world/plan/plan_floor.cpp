@@ -20,7 +20,9 @@ Colour read_colour(config::Table& table, const Colour& preset) {
   const auto read = std::from_chars(text.data() + (form ? 1 : 0), end, value, 16);
   if (!form || read.ptr != end || read.ec != std::errc()) {
     table.problem("colour", ErrorCode::BadParameter,
-                  "colour is \"{}\", must be \"#rrggbb\", two hexadecimal digits each", text);
+                  {"colour is \"{}\", must be \"#rrggbb\", two hexadecimal digits each",
+                   "colour es \"{}\", debe ser \"#rrggbb\", con dos cifras hexadecimales por color"},
+                  text);
     return preset;
   }
   return {(value >> 16) / 255.0, (value >> 8 & 255) / 255.0, (value & 255) / 255.0};
@@ -85,10 +87,14 @@ void read_word(config::Table& table, Beacon& beacon) {
   const auto events = table.numbers("word", {}, 0, {1, 255});
   for (const double event : events) beacon.word.push_back(static_cast<int>(std::clamp(event, 0.0, 255.0)));
   if (!std::equal(events.begin(), events.end(), beacon.word.begin(), beacon.word.end())) {
-    table.problem("word", ErrorCode::BadParameter, "word must be whole numbers, one for each event");
+    table.problem(
+        "word", ErrorCode::BadParameter,
+        {"word must be whole numbers, one for each event", "word debe tener números enteros, uno por cada evento"});
   }
   if (events.size() > kMaxWord) {
-    table.problem("word", ErrorCode::TooLarge, "word has {} events; the limit is {}", events.size(), kMaxWord);
+    table.problem("word", ErrorCode::TooLarge,
+                  {"word has {} events; the limit is {}", "word tiene {} eventos; el límite es {}"}, events.size(),
+                  kMaxWord);
   }
   const double sound_range_m = table.number("sound_range_m", 5, kExtent);
   beacon.sound_range_m = table.has("word") ? sound_range_m : 0;
@@ -116,7 +122,8 @@ void read_beacons(config::Table& root, ItemIds& ids, GroundPlan& plan) {
     read_word(table, beacon);
     if (beacon.word.empty() && !(beacon.light_range_m > 0)) {
       table.problem("id", ErrorCode::BadParameter,
-                    "a beacon shines (light_range_m > 0), chirps (word = [1, 2]) or both");
+                    {"a beacon shines (light_range_m > 0), chirps (word = [1, 2]) or both",
+                     "una baliza brilla (light_range_m > 0), suena (word = [1, 2]) o ambas cosas"});
     }
     plan.beacons.push_back(std::move(beacon));
   }

@@ -21,13 +21,16 @@ std::optional<Vector2> read_point(const config::Value& item, const config::Table
   const auto x = pair != nullptr && pair->size() == 2 ? number_of(pair->front()) : std::nullopt;
   const auto y = pair != nullptr && pair->size() == 2 ? number_of(pair->back()) : std::nullopt;
   if (!x || !y) {
-    table.problems().add(item.place(), ErrorCode::BadType, "{}each of {} must be a point [x, y] of two numbers",
+    table.problems().add(item.place(), ErrorCode::BadType,
+                         {"{}each of {} must be a point [x, y] of two numbers",
+                          "{}cada elemento de {} debe ser un punto [x, y] de dos números"},
                          named(table), key);
     return std::nullopt;
   }
   if (!(std::fabs(*x) <= kMaxCoordinate_m && std::fabs(*y) <= kMaxCoordinate_m)) {
-    table.problems().add(item.place(), ErrorCode::BadParameter, "{}the point ({}, {}) lies beyond {} m", named(table),
-                         shortest(*x), shortest(*y), kMaxCoordinate_m);
+    table.problems().add(item.place(), ErrorCode::BadParameter,
+                         {"{}the point ({}, {}) lies beyond {} m", "{}el punto ({}, {}) está más allá de {} m"},
+                         named(table), shortest(*x), shortest(*y), kMaxCoordinate_m);
     return std::nullopt;
   }
   return Vector2{*x, *y};
@@ -66,12 +69,15 @@ std::vector<Vector2> read_points(config::Table& table, std::string_view key, std
                    .least = least});
   const config::Value* found = table.value(key);
   if (found == nullptr) {
-    table.problem(key, ErrorCode::MissingKey, "{} is missing: write {} = [[x, y], ...]", key, key);
+    table.problem(key, ErrorCode::MissingKey,
+                  {"{} is missing: write {} = [[x, y], ...]", "falta {}: escriba {} = [[x, y], ...]"}, key, key);
     return {};
   }
   if (found->array() == nullptr || found->array()->size() < least) {
     table.problem(key, found->array() == nullptr ? ErrorCode::BadType : ErrorCode::BadParameter,
-                  "{} must be a list of at least {} point{} [[x, y], ...]", key, least, least == 1 ? "" : "s");
+                  {"{} must be a list of at least {} point{} [[x, y], ...]",
+                   "{} debe ser una lista de al menos {} punto{} [[x, y], ...]"},
+                  key, least, least == 1 ? "" : "s");
     return {};
   }
   std::vector<Vector2> points;
@@ -90,8 +96,12 @@ bool check_spacing(config::Table& table, std::string_view key, const std::vector
     apart = false;
     const config::Array& items = *table.value(key)->array();
     table.problems().add(items[(i + 1) % count].place(), ErrorCode::BadParameter,
-                         "{}points {} and {} of {} are the same (closer than {} m){}", named(table), i, (i + 1) % count,
-                         key, kMinSize_m, i + 1 == count ? "; the last joins the first by itself" : "");
+                         {"{}points {} and {} of {} are the same (closer than {} m){}",
+                          "{}los puntos {} y {} de {} son el mismo (a menos de {} m){}"},
+                         named(table), i, (i + 1) % count, key, kMinSize_m,
+                         i + 1 == count
+                             ? Text{"; the last joins the first by itself", "; el último se une al primero por sí solo"}
+                             : Text{"", ""});
   }
   return apart;
 }
@@ -99,7 +109,9 @@ bool check_spacing(config::Table& table, std::string_view key, const std::vector
 void check_outline(config::Table& table, std::string_view key, const std::vector<Vector2>& points) {
   const std::size_t count = points.size();
   if (count > kMaxPolygonPoints) {
-    table.problem(key, ErrorCode::TooLarge, "a polygon may have {} points, this one has {}; split it",
+    table.problem(key, ErrorCode::TooLarge,
+                  {"a polygon may have {} points, this one has {}; split it",
+                   "un polígono puede tener {} puntos, este tiene {}; divídalo"},
                   kMaxPolygonPoints, count);
     return;
   }
@@ -108,13 +120,16 @@ void check_outline(config::Table& table, std::string_view key, const std::vector
       if (i == 0 && j + 1 == count) continue;  // neighbours
       if (!edges_meet(points[i], points[i + 1], points[j], points[(j + 1) % count])) continue;
       table.problem(key, ErrorCode::BadParameter,
-                    "the polygon's outline crosses or touches itself: edges {}-{} and {}-{}", i, i + 1, j,
-                    (j + 1) % count);
+                    {"the polygon's outline crosses or touches itself: edges {}-{} and {}-{}",
+                     "el contorno del polígono se cruza o se toca a sí mismo: lados {}-{} y {}-{}"},
+                    i, i + 1, j, (j + 1) % count);
       return;
     }
   }
   if (std::fabs(doubled_area(points)) < 2 * kMinSize_m * kMinSize_m) {
-    table.problem(key, ErrorCode::BadParameter, "the polygon has no area: its points lie on one line");
+    table.problem(key, ErrorCode::BadParameter,
+                  {"the polygon has no area: its points lie on one line",
+                   "el polígono no tiene área: sus puntos están en una línea"});
   }
 }
 

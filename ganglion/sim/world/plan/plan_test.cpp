@@ -175,6 +175,7 @@ TEST(Ground, HoldsItsLimits) {
   Problems problems;
   EXPECT_EQ(Ground::make(std::move(plan), problems).error().code, ErrorCode::TooLarge);
   EXPECT_NE(problems.text().find("200001 straight pieces of surface; the limit is 200000"), std::string::npos);
+  EXPECT_EQ(problems.text(Language::Spanish), "tiene 200001 tramos rectos de superficie; el límite es 200000\n");
 }
 
 TEST(Ground, HoldsItsLimitsForSpeckledMaps) {

@@ -20,13 +20,17 @@ constexpr bool is_diagonal(int k) noexcept { return k % 2 == 1; }
 }  // namespace
 
 Result<CellGrid> CellGrid::make(const Ground& ground, double cell_m, double radius_m) {
-  if (!(cell_m > 0)) return fail(ErrorCode::BadParameter, "cell_m is {}, must be > 0", cell_m);
-  if (!(radius_m >= 0)) return fail(ErrorCode::BadParameter, "radius_m is {}, must be >= 0", radius_m);
+  if (!(cell_m > 0))
+    return fail(ErrorCode::BadParameter, {"cell_m is {}, must be > 0", "cell_m es {}, debe ser > 0"}, cell_m);
+  if (!(radius_m >= 0))
+    return fail(ErrorCode::BadParameter, {"radius_m is {}, must be >= 0", "radius_m es {}, debe ser >= 0"}, radius_m);
   const Box2& box = ground.bounds();
   const double count = (box.width_m() / cell_m + 2) * (box.height_m() / cell_m + 2);
   if (!(count <= kMaxCells && kMaxCoordinate_m / cell_m < kMaxNumber)) {
-    return fail(ErrorCode::TooLarge, "cells of {} m make {:.0f} of them here; the limit is {:.0f}", cell_m, count,
-                kMaxCells);
+    return fail(ErrorCode::TooLarge,
+                {"cells of {} m make {:.0f} of them here; the limit is {:.0f}",
+                 "con celdas de {} m hay aquí {:.0f}; el límite es {:.0f}"},
+                cell_m, count, kMaxCells);
   }
   CellGrid grid;
   grid.cell_m_ = cell_m;

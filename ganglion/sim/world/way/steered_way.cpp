@@ -30,10 +30,13 @@ double SteeredWay::Length::cells() const noexcept { return straight + std::numbe
 
 Result<SteeredWay> SteeredWay::make(const CellGrid& grid, int max_turn) {
   if (max_turn != 1 && max_turn != 2 && max_turn != 4) {
-    return fail(ErrorCode::BadParameter, "max_turn is {} eighths, must be 1, 2 or 4", max_turn);
+    return fail(ErrorCode::BadParameter,
+                {"max_turn is {} eighths, must be 1, 2 or 4", "max_turn es {} octavos, debe ser 1, 2 o 4"}, max_turn);
   }
   if (count_of(grid) > kMostSteeredCells) {
-    return fail(ErrorCode::TooLarge, "the grid has {} cells; ways with a limited turn are sought among {} at most",
+    return fail(ErrorCode::TooLarge,
+                {"the grid has {} cells; ways with a limited turn are sought among {} at most",
+                 "la cuadrícula tiene {} celdas; los caminos de giro limitado se buscan entre {} como máximo"},
                 count_of(grid), kMostSteeredCells);
   }
   return SteeredWay(count_of(grid), max_turn);
