@@ -5,7 +5,7 @@
 namespace ganglion {
 namespace {
 
-constexpr std::array kActingOutputs = {
+constexpr std::array kStandingOutputs = {
     PortDescriptor{.name = "active",
                    .role = PortRole::Output,
                    .type = ValueType::Discrete,
@@ -21,6 +21,55 @@ constexpr std::array kActingOutputs = {
                    .type = ValueType::Discrete,
                    .help = {"Why the last request was withdrawn: 0 not withdrawn, else a reason code",
                             "Motivo de la última retirada: 0 sin retirada; si no, un código"}},
+    PortDescriptor{
+        .name = "settled",
+        .role = PortRole::Output,
+        .type = ValueType::Discrete,
+        .derived = true,
+        .help = {"1 while the set-point asked for counts as held", "1 mientras la consigna pedida se mantiene"}},
+};
+constexpr std::span kActingOutputs = std::span<const PortDescriptor>(kStandingOutputs).first(3);
+
+constexpr std::array kCoordinatorOutputs = {
+    PortDescriptor{.name = "active",
+                   .role = PortRole::Output,
+                   .type = ValueType::Discrete,
+                   .help = {"Index of the candidate that drives, or has the largest part; -1 = none",
+                            "Índice del candidato que conduce, o tiene la parte mayor; -1 = ninguno"}},
+    PortDescriptor{.name = "share",
+                   .role = PortRole::Output,
+                   .many = true,
+                   .help = {"Part of each candidate in the result", "Parte de cada candidato en el resultado"}},
+    PortDescriptor{.name = "wanted",
+                   .role = PortRole::Output,
+                   .type = ValueType::Discrete,
+                   .many = true,
+                   .help = {"1 while a candidate wants to drive", "1 mientras un candidato quiere conducir"}},
+    PortDescriptor{.name = "suppressed",
+                   .role = PortRole::Output,
+                   .type = ValueType::Discrete,
+                   .many = true,
+                   .help = {"1 while a candidate wants to drive and has no part",
+                            "1 mientras un candidato quiere conducir y no tiene parte"}},
+};
+
+constexpr std::array kGoalOutputs = {
+    PortDescriptor{.name = "intensity",
+                   .role = PortRole::Output,
+                   .derived = true,
+                   .help = {"How strongly it wants what it asks for; 0 = it wants nothing",
+                            "Con cuánta fuerza quiere lo que pide; 0 = no quiere nada"}},
+    PortDescriptor{.name = "holds",
+                   .role = PortRole::Output,
+                   .type = ValueType::Discrete,
+                   .derived = true,
+                   .help = {"1 while a request of it is under way", "1 mientras una solicitud suya está en curso"}},
+    PortDescriptor{
+        .name = "rests_s",
+        .role = PortRole::Output,
+        .unit = "s",
+        .derived = true,
+        .help = {"How long it keeps still yet after a Withdrawal", "Cuánto calla todavía después de una retirada"}},
 };
 
 template <class Item>
@@ -70,15 +119,27 @@ bool is_input(ComponentClass component_class, PortRole role) noexcept {
   return false;
 }
 
+std::vector<std::string> element_names(const PortDescriptor& port) {
+  std::vector<std::string> names;
+  for (const ElementDescriptor& element : port.elements) names.emplace_back(element.name);
+  return names;
+}
+
 const PortDescriptor* Descriptor::port(std::string_view port_name) const noexcept { return find(ports, port_name); }
 
 const ParameterDescriptor* Descriptor::parameter(std::string_view parameter_name) const noexcept {
   return find(parameters, parameter_name);
 }
 
-std::span<const PortDescriptor> common_outputs(ComponentClass component_class) noexcept {
-  if (component_class == ComponentClass::Acting) return kActingOutputs;
-  return {};
+std::span<const PortDescriptor> common_outputs(ComponentClass component_class,
+                                               std::span<const PortDescriptor> ports) noexcept {
+  if (component_class == ComponentClass::Coordinator) return kCoordinatorOutputs;
+  if (component_class == ComponentClass::Goal) return kGoalOutputs;
+  if (component_class != ComponentClass::Acting) return {};
+  for (const PortDescriptor& port : ports) {
+    if (port.role == PortRole::Request && port.standing) return kStandingOutputs;
+  }
+  return kActingOutputs;
 }
 
 }  // namespace ganglion

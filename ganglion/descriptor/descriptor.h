@@ -3,8 +3,11 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
+#include "ganglion/base/reason_code.h"
 #include "ganglion/base/sentence.h"
 
 namespace ganglion {
@@ -34,6 +37,16 @@ enum class PortRole {
 };
 std::string_view name_of(PortRole) noexcept;
 
+/// One value of a port that has several, as in {x [m], y [m], approach [rad, circular]}.
+struct ElementDescriptor {
+  constexpr ElementDescriptor(const char* name, std::string_view unit = "*",  // NOLINT(google-explicit-constructor)
+                              std::optional<ValueType> type = {}) noexcept
+      : name(name), unit(unit), type(type) {}
+  std::string_view name;
+  std::string_view unit;          ///< "*" = the port's.
+  std::optional<ValueType> type;  ///< None = the port's.
+};
+
 struct PortDescriptor {
   std::string_view name;
   PortRole role = PortRole::Feedback;
@@ -41,14 +54,39 @@ struct PortDescriptor {
   ValueType type = ValueType::Real;
   /// Values of one wire; 0 = whatever is wired. An Output left open has the shape or unit of the first open Feedback.
   int size = 1;
-  std::span<const std::string_view> elements{};  ///< Names of the values where there are several, else empty.
-  bool required = true;                          ///< Inputs: whether a controller must wire it.
+  std::span<const ElementDescriptor> elements{};  ///< Its values where there are several, else empty.
+  bool required = true;                           ///< Inputs: whether a controller must wire it.
   /// Input: takes a list of wires. Output: one value for each wire of the component's `many` input.
   bool many = false;
+  /// Input of a coordinator: one wire for each candidate, in their order.
+  bool each_candidate = false;
+  /// Request: a set-point. It is never satisfied, may be replaced at any tick, and nobody above waits for it.
+  bool standing = false;
+  /// Output: worked out from values that are in the digest; recorded, in no digest itself.
+  bool derived = false;
   Text help{"", ""};
+
+  /// Values of one wire; 0 = whatever is wired.
+  int width() const noexcept { return elements.empty() ? size : static_cast<int>(elements.size()); }
+  std::string_view unit_of(std::size_t element) const noexcept {
+    return element < elements.size() && elements[element].unit != "*" ? elements[element].unit : unit;
+  }
+  ValueType type_of(std::size_t element) const noexcept {
+    return element < elements.size() ? elements[element].type.value_or(type) : type;
+  }
+};
+
+/// A reason of its own that a kind withdraws for.
+struct ReasonDescriptor {
+  std::string_view name;  ///< "cornered"
+  Text words;             ///< With {0} and {1} for its two numbers.
+  ReasonCode like;        ///< The common one that it is a case of: all that modules above rely on.
 };
 
 bool is_input(ComponentClass, PortRole) noexcept;
+
+/// Names of its values; empty where it has one, or any number.
+std::vector<std::string> element_names(const PortDescriptor& port);
 
 enum class ParameterType { Real, Integer, Boolean, Choice, Word, Reals };
 std::string_view name_of(ParameterType) noexcept;
@@ -76,13 +114,19 @@ struct Descriptor {
   Text summary{"", ""};
   std::span<const PortDescriptor> ports{};
   std::span<const ParameterDescriptor> parameters{};
-  std::string_view source = "";  ///< Paper and section, or "ours".
+  std::span<const ReasonDescriptor> reasons{};  ///< Of Withdrawals, besides the common ones.
+  std::string_view source = "";                 ///< Paper and section, or "ours".
 
   const PortDescriptor* port(std::string_view port_name) const noexcept;
   const ParameterDescriptor* parameter(std::string_view parameter_name) const noexcept;
 };
 
-/// Outputs that every component of a class has besides its own: of acting modules `active`, `status` and `reason`.
-std::span<const PortDescriptor> common_outputs(ComponentClass) noexcept;
+/// Outputs that every component of a class has besides its own: of acting modules `active`, `status` and `reason`, and
+/// `settled` where requests to them are standing; of coordinators `active` and, for each candidate, `share`, `wanted` and
+/// `suppressed`; of goals `intensity`, `holds` and `rests_s`.
+std::span<const PortDescriptor> common_outputs(ComponentClass, std::span<const PortDescriptor> ports) noexcept;
+inline std::span<const PortDescriptor> common_outputs(const Descriptor& kind) noexcept {
+  return common_outputs(kind.component_class, kind.ports);
+}
 
 }  // namespace ganglion

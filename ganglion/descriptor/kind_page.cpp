@@ -95,7 +95,7 @@ class Page {
 
   std::string shape_of(const PortDescriptor& port) const {
     std::string shape = fmt::format("{}", port.size);
-    if (!port.elements.empty()) shape = code_list(port.elements);
+    if (!port.elements.empty()) shape = code_list(element_names(port));
     if (port.size == 0) shape = word({"as wired", "según conexión"});
     if (port.many) shape += word({", many wires", ", varias conexiones"});
     return shape;
@@ -115,7 +115,7 @@ class Page {
       if (is_input(kind_.component_class, port.role) == inputs) ports.push_back(&port);
     }
     if (!inputs) {
-      for (const PortDescriptor& port : common_outputs(kind_.component_class)) ports.push_back(&port);
+      for (const PortDescriptor& port : common_outputs(kind_)) ports.push_back(&port);
     }
     if (ports.empty()) return;
     if (inputs) {

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<std::string_view, 2> kTracks = {"left", "right"};
+constexpr std::array<ElementDescriptor, 2> kTracks = {"left", "right"};
 constexpr std::array<std::string_view, 2> kSides = {"left", "freer"};
 constexpr std::array<double, 2> kGains = {1, 0.5};
 constexpr std::array kPorts = {
@@ -101,7 +101,7 @@ TEST(KindsJson, HoldsWhatPaletteAndFormsNeed) {
   EXPECT_EQ(kind["name"], "BackOff");
   EXPECT_EQ(kind["paper_name"], "AmBk");
   EXPECT_EQ(kind["summary"]["es"], "Retrocede ante lo cercano");
-  ASSERT_EQ(kind["ports"].size(), 3 + common_outputs(ComponentClass::Acting).size());
+  ASSERT_EQ(kind["ports"].size(), 3 + common_outputs(ComponentClass::Acting, {}).size());
   EXPECT_EQ(kind["ports"][0], Json::parse(R"({"name": "ahead", "direction": "in", "role": "feedback", "unit": "m",
       "type": "real", "size": 1, "elements": [], "required": true, "many": false, "common": false,
       "help": {"en": "Range ahead", "es": "Distancia al frente"}})"));

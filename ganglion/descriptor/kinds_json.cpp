@@ -17,8 +17,8 @@ Json json_of(const PortDescriptor& port, ComponentClass component_class, bool co
           {"role", name_of(port.role)},
           {"unit", port.unit},
           {"type", name_of(port.type)},
-          {"size", port.elements.empty() ? port.size : static_cast<int>(port.elements.size())},
-          {"elements", port.elements},
+          {"size", port.width()},
+          {"elements", element_names(port)},
           {"required", is_input(component_class, port.role) && port.required},
           {"many", port.many},
           {"common", common},
@@ -48,7 +48,7 @@ Json json_of(const Descriptor& kind) {
                {"ports", Json::array()},
                {"parameters", Json::array()}};
   for (const PortDescriptor& port : kind.ports) json["ports"].push_back(json_of(port, kind.component_class, false));
-  for (const PortDescriptor& port : common_outputs(kind.component_class)) {
+  for (const PortDescriptor& port : common_outputs(kind)) {
     json["ports"].push_back(json_of(port, kind.component_class, true));
   }
   for (const ParameterDescriptor& parameter : kind.parameters) json["parameters"].push_back(json_of(parameter));

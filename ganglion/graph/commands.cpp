@@ -1,5 +1,6 @@
 #include "ganglion/graph/commands.h"
 
+#include <algorithm>
 #include <map>
 
 #include "ganglion/base/text.h"
@@ -19,26 +20,37 @@ std::vector<std::string> element_names(const CommandChannel& channel) {
   return names;
 }
 
+/// Values that have names meet the robot's by name, in any order; others by place.
+bool meets(const PortDescriptor& port, const std::vector<std::string>& wanted) {
+  std::vector<std::string> mine = ::ganglion::element_names(port);
+  if (mine.empty()) return static_cast<std::size_t>(port.size) == wanted.size();
+  return mine.size() == wanted.size() && std::is_permutation(mine.begin(), mine.end(), wanted.begin());
+}
+
+void report_elements(const ComponentModel& component, const PortDescriptor& port, const CommandChannel& channel,
+                     Problems& problems) {
+  const std::vector<std::string> mine = ::ganglion::element_names(port);
+  const Sentence given = mine.empty() ? say({"{} values", "{} valores"}, port.size) : Sentence::quoted(join(mine));
+  const Place& place = component.command.empty() ? component.place : component.command_place;
+  report_wire(problems, component, place,
+              say({"commands {{{}}} but \"{}\" takes {{{}}}", "manda {{{}}} pero \"{}\" admite {{{}}}"}, given,
+                  channel.name, join(element_names(channel))),
+              {.part = "command", .found = channel.name});
+}
+
 void check_elements(const ComponentModel& component, const CommandChannel& channel, Problems& problems) {
-  const std::vector<std::string> wanted = element_names(channel);
-  for (const PortDescriptor& port : component.descriptor->ports) {
+  for (const PortDescriptor& port : component.ports()) {
     if (port.role != PortRole::Command || port.size == 0) continue;
-    const std::vector<std::string> mine(port.elements.begin(), port.elements.end());
-    if (mine.empty() ? static_cast<std::size_t>(port.size) == wanted.size() : mine == wanted) continue;
-    const Sentence given = mine.empty() ? say({"{} values", "{} valores"}, port.size) : Sentence::quoted(join(mine));
-    report_wire(problems, component, component.command_place,
-                say({"commands {{{}}} but \"{}\" takes {{{}}}", "manda {{{}}} pero \"{}\" admite {{{}}}"}, given,
-                    channel.name, join(wanted)),
-                {.part = "command", .found = channel.name});
+    if (!meets(port, element_names(channel))) report_elements(component, port, channel, problems);
   }
 }
 
 std::string part_of(const ComponentModel& component, const Wire& wire) {
-  return fmt::format("in.{}", component.descriptor->ports[static_cast<std::size_t>(wire.port)].name);
+  return fmt::format("in.{}", component.ports()[static_cast<std::size_t>(wire.port)].name);
 }
 
 bool commands_or_requests(const ComponentModel& component, const Wire& wire) noexcept {
-  const PortRole role = component.descriptor->ports[static_cast<std::size_t>(wire.port)].role;
+  const PortRole role = component.ports()[static_cast<std::size_t>(wire.port)].role;
   return role == PortRole::Candidate || role == PortRole::Request;
 }
 
@@ -48,6 +60,15 @@ struct Takers {
   std::vector<int> by;          ///< Its index; -1 = none.
   bool complete = true;         ///< Every wire for commands was understood.
 };
+
+/// Whether what a goal asks here and what it asked before are set-points: those it may ask of several modules.
+bool asks_standing(const ControllerModel& model, const Takers& takers, const Source& source,
+                   const ComponentModel& component, const Wire& wire) {
+  const int before = takers.by[static_cast<std::size_t>(source.component)];
+  if (before < 0 || !component.ports()[static_cast<std::size_t>(wire.port)].standing) return false;
+  const PortDescriptor* asked = model.components[static_cast<std::size_t>(before)].port_of(PortRole::Request);
+  return asked != nullptr && asked->standing && &model.components[static_cast<std::size_t>(before)] != &component;
+}
 
 Takers find_takers(const ControllerModel& model, Problems& problems) {
   const std::size_t count = model.components.size();
@@ -61,7 +82,8 @@ Takers find_takers(const ControllerModel& model, Problems& problems) {
         const bool goal = source.kind == Source::Kind::Goal;
         if (source.kind != Source::Kind::ModuleCommand && !goal) continue;
         std::string& already = takers.of[static_cast<std::size_t>(source.component)];
-        if (!already.empty()) {
+        const bool standing = goal && asks_standing(model, takers, source, component, wire);
+        if (!already.empty() && !standing) {
           report_wire(
               problems, component, source.place,
               goal ? say({"\"{}\" already asks \"{}\"", "\"{}\" ya hace solicitudes a \"{}\""}, source.text, already)
@@ -79,8 +101,8 @@ Takers find_takers(const ControllerModel& model, Problems& problems) {
 
 /// Values that a component's port of that role has; 0 = as many as there are, or there is no such port.
 int width_of(const ComponentModel& component, PortRole role) noexcept {
-  for (const PortDescriptor& port : component.descriptor->ports) {
-    if (port.role == role) return port.elements.empty() ? port.size : static_cast<int>(port.elements.size());
+  for (const PortDescriptor& port : component.ports()) {
+    if (port.role == role) return port.width();
   }
   return 0;
 }
@@ -89,6 +111,7 @@ int width_of(const ComponentModel& component, PortRole role) noexcept {
 struct End {
   Sentence text;
   int width = 0;
+  const CommandChannel* channel = nullptr;  ///< The robot's, where it ends there.
 };
 
 End end_of(const ControllerModel& model, const RobotDescription& robot, const Takers& takers, std::size_t start) {
@@ -107,7 +130,16 @@ End end_of(const ControllerModel& model, const RobotDescription& robot, const Ta
   const ComponentModel& last = model.components[at];
   if (at == start || last.command_index < 0) return {};  // what drives the robot directly was checked by element
   const CommandChannel& channel = robot.commands[static_cast<std::size_t>(last.command_index)];
-  return {say({"\"{}\" takes", "\"{}\" admite"}, channel.name), static_cast<int>(channel.elements.size())};
+  return {say({"\"{}\" takes", "\"{}\" admite"}, channel.name), static_cast<int>(channel.elements.size()), &channel};
+}
+
+/// Coordinators mix by place: what they hand to the robot must stand in its order.
+void check_order(const ComponentModel& component, const End& end, Problems& problems) {
+  const PortDescriptor& port = *component.port_of(PortRole::Command);
+  if (end.channel == nullptr || port.elements.empty()) return;
+  if (::ganglion::element_names(port) != element_names(*end.channel)) {
+    report_elements(component, port, *end.channel, problems);
+  }
 }
 
 void check_widths(const ControllerModel& model, const RobotDescription& robot, const Takers& takers,
@@ -117,6 +149,7 @@ void check_widths(const ControllerModel& model, const RobotDescription& robot, c
     const int width = makes_commands(component) ? width_of(component, PortRole::Command) : 0;
     if (width == 0) continue;
     const End end = end_of(model, robot, takers, i);
+    if (end.width == width) check_order(component, end, problems);
     if (end.width == 0 || end.width == width) continue;
     report_wire(problems, component, component.place,
                 say({"commands {} value{}, but {} {}", "manda {} valor{}, pero {} {}"}, width,

@@ -5,9 +5,9 @@
 namespace ganglion {
 namespace {
 
-template <class Product>
-Result<void> make(std::span<const Kind<Product>* const> kinds, const ComponentModel& model,
-                  std::unique_ptr<Product>& into) {
+/// Makes the component; its part plays that role.
+template <class Role, class Product>
+Result<void> make(std::span<const Kind<Product>* const> kinds, const ComponentModel& model, layout::Part& part) {
   const auto* kind = find_kind(kinds, model.descriptor->name);
   expects(kind != nullptr);
   auto made = kind->make(model.parameters);
@@ -17,7 +17,8 @@ Result<void> make(std::span<const Kind<Product>* const> kinds, const ComponentMo
     if (error.place.file.empty()) error.place = model.place;
     return tl::unexpected<Error>(std::move(error));
   }
-  into = std::move(*made);
+  part.role = Role{made->get()};
+  part.component = std::move(*made);
   return {};
 }
 
@@ -67,25 +68,25 @@ Result<void> Compiler::check_limits() const {
 Result<void> Compiler::make_part(const ComponentModel& model) {
   Part part;
   part.id = model.id;
-  part.component_class = model.component_class;
   if (model.descriptor != nullptr) part.kind = model.descriptor->name;
   Result<void> made;
   switch (model.component_class) {
     case ComponentClass::Sensing:
-      made = make(kinds_.sensing, model, part.sensing);
+      made = make<layout::SensingRole>(kinds_.sensing, model, part);
       break;
     case ComponentClass::Goal:
-      made = make(kinds_.goal, model, part.goal);
+      made = make<layout::GoalRole>(kinds_.goal, model, part);
       break;
     case ComponentClass::Acting:
-      made = make(kinds_.acting, model, part.acting);
+      made = make<layout::ActingRole>(kinds_.acting, model, part);
       break;
     case ComponentClass::Coordinator:
-      made = make(kinds_.coordinator, model, part.coordinator);
+      made = make<layout::CoordinatorRole>(kinds_.coordinator, model, part);
       break;
-    default:
-      part.channel = static_cast<std::size_t>(model.channel_index);
-      part.frame_offset = static_cast<std::size_t>(robot_.sensation_offset(part.channel));
+    default: {
+      const auto channel = static_cast<std::size_t>(model.channel_index);
+      part.role = layout::SensationRole{static_cast<std::size_t>(robot_.sensation_offset(channel)), channel};
+    }
   }
   controller_.parts_.push_back(std::move(part));
   return made;

@@ -20,23 +20,26 @@ class Compiler {
   Result<Controller> run();
 
  private:
-  using Part = Controller::Part;
+  using Part = layout::Part;
 
   Result<void> check_limits() const;
   Result<void> make_part(const ComponentModel& model);
   void join_digest();
   // compiler_layout.cpp
   void lay_out_signals();
+  void lay_out_outputs(const ComponentModel& model, Part& part, bool derived);
+  void find_common(const ComponentModel& model, Part& part) const;
   void lay_out_commands();
   void lay_out_inputs();
   void lay_out_wire(std::size_t index, const PortDescriptor& port, const Source& source);
   void reserve();
   // compiler_links.cpp
   void connect(std::size_t index);
-  void connect_acting(std::size_t index, const Links& links);
+  void connect_acting(std::size_t index);
   void connect_candidates(std::size_t index);
   // compiler_requests.cpp
   void connect_request(std::size_t index, std::size_t port_index);
+  void connect_goals(std::size_t index, const std::vector<int>& goals);
   void connect_answers();
 
   std::size_t add_signal(const std::string& name, const std::string& unit) {

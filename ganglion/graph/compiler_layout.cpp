@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "ganglion/graph/commands.h"
 #include "ganglion/graph/compiler.h"
 #include "ganglion/graph/loops.h"
 
@@ -15,20 +16,38 @@ struct Origin {
   std::size_t value, age;
 };
 
+/// What the values of its command are called: as its own port says, or else as the robot's command does.
 std::vector<std::string> command_elements(const ComponentModel& model, const RobotDescription& robot) {
   std::vector<std::string> names;
-  if (model.command_index >= 0) {
+  int size = 0;
+  for (const PortDescriptor& port : model.ports()) {
+    if (port.role != PortRole::Command) continue;
+    for (const ElementDescriptor& element : port.elements) names.emplace_back(element.name);
+    size = port.size;
+  }
+  if (names.empty() && model.command_index >= 0) {
     for (const auto& element : robot.commands[static_cast<std::size_t>(model.command_index)].elements) {
       names.push_back(element.name);
     }
     return names;
   }
-  for (const PortDescriptor& port : model.descriptor->ports) {
-    if (port.role != PortRole::Command) continue;
-    names.assign(port.elements.begin(), port.elements.end());
-    for (int i = static_cast<int>(names.size()); i < port.size; ++i) names.push_back(std::to_string(i));
-  }
+  for (int i = static_cast<int>(names.size()); i < size; ++i) names.push_back(std::to_string(i));
   return names;
+}
+
+/// Of each element of a robot's command the value of the writer's that is meant for it: the one of its name, where the
+/// writer names them.
+std::vector<std::size_t> order_of(const CommandChannel& channel, const ComponentModel* writer) {
+  std::vector<std::size_t> order;
+  const PortDescriptor* port = writer != nullptr ? writer->port_of(PortRole::Command) : nullptr;
+  for (std::size_t i = 0; i < channel.elements.size(); ++i) {
+    std::size_t from = i;
+    for (std::size_t n = 0; port != nullptr && n < port->elements.size(); ++n) {
+      if (port->elements[n].name == channel.elements[i].name) from = n;
+    }
+    order.push_back(from);
+  }
+  return order;
 }
 
 }  // namespace
@@ -40,22 +59,41 @@ void Compiler::lay_out_signals() {
     part.signals.first = controller_.signals_.size();
     part.out_ages = {ages_, model.outputs.size()};
     ages_ += model.outputs.size();
-    bool common_found = false;
-    for (const OutputShape& output : model.outputs) {
-      if (!output.declared && !common_found) part.common = controller_.signals_.size();
-      common_found = common_found || !output.declared;
-      const std::string name = output.name.empty() ? model.id : model.id + "." + output.name;
-      if (output.elements.empty()) add_signal(name, output.unit);
-      for (const std::string& element : output.elements) add_signal(name + "." + element, output.unit);
-    }
-    if (part.acting || part.coordinator) {
+    part.outputs_at.resize(model.outputs.size());
+    lay_out_outputs(model, part, false);
+    if (makes_commands(model)) {
       part.command_signals.first = controller_.signals_.size();
       for (const std::string& element : command_elements(model, robot_)) {
         add_signal(model.id + ".command." + element, "");
         ++part.command_signals.count;
       }
     }
+    part.digested = controller_.signals_.size() - part.signals.first;
+    lay_out_outputs(model, part, true);
     part.signals.count = controller_.signals_.size() - part.signals.first;
+    find_common(model, part);
+  }
+}
+
+/// Those that are derived come last: they are in no digest.
+void Compiler::lay_out_outputs(const ComponentModel& model, Part& part, bool derived) {
+  for (std::size_t o = 0; o < model.outputs.size(); ++o) {
+    const OutputShape& output = model.outputs[o];
+    if (output.derived != derived) continue;
+    part.outputs_at[o] = controller_.signals_.size();
+    const std::string name = output.name.empty() ? model.id : model.id + "." + output.name;
+    if (output.elements.empty()) add_signal(name, output.unit);
+    for (const std::string& element : output.elements) add_signal(name + "." + element, output.unit);
+  }
+}
+
+void Compiler::find_common(const ComponentModel& model, Part& part) const {
+  if (model.descriptor == nullptr) return;
+  for (const PortDescriptor& port : common_outputs(model.component_class, model.ports())) {
+    for (std::size_t o = 0; o < model.outputs.size(); ++o) {
+      if (!model.outputs[o].declared && model.outputs[o].name == port.name)
+        part.common_at.push_back(part.outputs_at[o]);
+    }
   }
 }
 
@@ -65,12 +103,13 @@ void Compiler::lay_out_commands() {
   controller_.command_frame_.first = controller_.signals_.size();
   for (std::size_t c = 0; c < robot_.commands.size(); ++c) {
     const CommandChannel& channel = robot_.commands[c];
-    Controller::ChannelOut out;
+    layout::ChannelOut out;
     out.offset = static_cast<std::size_t>(robot_.command_offset(c));
     out.elements = channel.elements;
     for (std::size_t i = 0; i < model_.components.size(); ++i) {
       if (model_.components[i].command_index == static_cast<int>(c)) out.writer = static_cast<int>(i);
     }
+    out.from = order_of(channel, out.writer >= 0 ? &model_.components[static_cast<std::size_t>(out.writer)] : nullptr);
     for (const CommandElement& element : channel.elements) add_signal(channel.name + "." + element.name, element.unit);
     controller_.channels_.push_back(std::move(out));
   }
@@ -85,11 +124,12 @@ void Compiler::lay_out_inputs() {
   for (std::size_t i = 0; i < model_.components.size(); ++i) {
     const ComponentModel& model = model_.components[i];
     if (model.descriptor == nullptr) continue;
-    for (std::size_t p = 0; p < model.descriptor->ports.size(); ++p) {
-      if (!is_input(model.component_class, model.descriptor->ports[p].role)) continue;
+    const auto ports = model.ports();
+    for (std::size_t p = 0; p < ports.size(); ++p) {
+      if (!is_input(model.component_class, ports[p].role)) continue;
       const std::size_t first = values_, age_first = ages_;
       if (const Wire* wire = model.wire(static_cast<int>(p))) {
-        for (const Source& source : wire->sources) lay_out_wire(i, model.descriptor->ports[p], source);
+        for (const Source& source : wire->sources) lay_out_wire(i, ports[p], source);
       }
       inputs_[i].push_back({first, values_ - first, age_first, ages_ - age_first});
     }
@@ -106,12 +146,10 @@ void Compiler::lay_out_wire(std::size_t index, const PortDescriptor& port, const
               command_age_};
   } else {
     const Part& from = controller_.parts_[static_cast<std::size_t>(source.component)];
-    const auto& outputs = model_.components[static_cast<std::size_t>(source.component)].outputs;
     std::size_t output = 0;
     if (source.kind == Source::Kind::Output) output = static_cast<std::size_t>(source.port);
     if (source.kind == Source::Kind::SensationAge) output = 1;
-    origin = {from.signals.first, from.out_ages.first + output};
-    for (std::size_t o = 0; o < output; ++o) origin.value += static_cast<std::size_t>(outputs[o].size());
+    origin = {from.outputs_at[output], from.out_ages.first + output};
   }
   if (source.element > 0) origin.value += static_cast<std::size_t>(source.element);
   const auto count = static_cast<std::size_t>(source.size);
@@ -119,17 +157,18 @@ void Compiler::lay_out_wire(std::size_t index, const PortDescriptor& port, const
   // Neither an expectation nor a percept's own past, come back by a loop, is a reading that ages it.
   const bool loop = source.kind == Source::Kind::Output && source.previous &&
                     loops_[static_cast<std::size_t>(source.component)] == loops_[index];
-  if (port.role != PortRole::Appraisal && !loop) part.aged_by.push_back(ages_);
+  auto* sensing = part.as<layout::SensingRole>();
+  if (sensing != nullptr && port.role != PortRole::Appraisal && !loop) sensing->aged_by.push_back(ages_);
   values_ += count;
   ++ages_;
 }
 
 void Compiler::reserve() {
-  Controller::Block& block = *controller_.block_;
+  layout::Block& block = *controller_.block_;
   block.now.assign(values_, kMissing);
   block.ages.assign(ages_, std::numeric_limits<double>::infinity());
   for (const Part& part : controller_.parts_) {
-    if (part.component_class == ComponentClass::Sensation || part.component_class == ComponentClass::Sensing) continue;
+    if (part.as<layout::SensationRole>() != nullptr || part.as<layout::SensingRole>() != nullptr) continue;
     for (std::size_t i = 0; i < part.signals.count; ++i) block.now[part.signals.first + i] = 0;
   }
   block.ages[command_age_] = 0;

@@ -9,69 +9,66 @@ namespace ganglion {
 void Compiler::connect(std::size_t index) {
   const ComponentModel& model = model_.components[index];
   Part& part = controller_.parts_[index];
-  Controller::Block& block = *controller_.block_;
+  layout::Block& block = *controller_.block_;
   if (model.descriptor == nullptr) return;
   for (const InputStretch& input : inputs_[index]) {
     part.views.push_back({std::span<const double>(block.now).subspan(input.first, input.count),
                           std::span<const double>(block.ages).subspan(input.age_first, input.ages)});
   }
   Links links;
-  std::size_t at = part.signals.first;
-  for (const OutputShape& output : model.outputs) {
-    const auto span = std::span<double>(block.now).subspan(at, static_cast<std::size_t>(output.size()));
+  for (std::size_t o = 0; o < model.outputs.size(); ++o) {
+    const OutputShape& output = model.outputs[o];
+    const auto span = std::span<double>(block.now).subspan(part.outputs_at[o], static_cast<std::size_t>(output.size()));
     if (output.declared) part.outputs.push_back(span);
-    at += span.size();
-    const PortDescriptor* port = model.descriptor->port(output.name);
+    const PortDescriptor* port = model.port(output.name);
     if (port != nullptr && port->role == PortRole::Appraisal) links.appraisal = span;
   }
   std::fill(links.appraisal.begin(), links.appraisal.end(), std::numeric_limits<double>::quiet_NaN());
   links.inputs = part.views;
   links.outputs = part.outputs;
   links.stream = {identity_.seed, identity_.episode, identity_.robot, hash_name(model.id)};
-  if (part.sensing) part.sensing->bind(links);
-  if (part.goal) part.goal->bind(links);
-  if (part.acting) connect_acting(index, links);
-  if (part.coordinator) {
-    connect_candidates(index);
-    part.coordinator->bind(links);
-  }
+  if (part.as<layout::CoordinatorRole>() != nullptr) connect_candidates(index);
+  part.component->bind(links);
+  if (part.as<layout::ActingRole>() != nullptr) connect_acting(index);
 }
 
-void Compiler::connect_acting(std::size_t index, const Links& links) {
+void Compiler::connect_acting(std::size_t index) {
   const ComponentModel& model = model_.components[index];
-  Part& part = controller_.parts_[index];
+  auto& acting = *controller_.parts_[index].as<layout::ActingRole>();
   ActingLinks joints;
   std::size_t input = 0;
   bool satisfied_found = false;
-  for (std::size_t p = 0; p < model.descriptor->ports.size(); ++p) {
-    const PortDescriptor& port = model.descriptor->ports[p];
+  for (std::size_t p = 0; p < model.ports().size(); ++p) {
+    const PortDescriptor& port = model.ports()[p];
     if (!is_input(model.component_class, port.role)) continue;
     if (port.role == PortRole::Feedback && !satisfied_found) {
       satisfied_found = true;
       joints.satisfied_by = input;
-      joints.circular = port.type == ValueType::Circular;
+      joints.comparison = model.comparison;
     }
     ++input;
     if (port.role == PortRole::Request) connect_request(index, p);
   }
-  joints.request = part.request.get();
-  joints.tolerance = model.tolerance;
-  part.acting->bind(links);
-  part.acting->join(joints);
+  for (const ReasonDescriptor& reason : model.descriptor->reasons) acting.likes.push_back(reason.like);
+  joints.request = acting.request.get();
+  joints.likes = acting.likes;
+  acting.module->join(joints);
 }
 
 void Compiler::connect_candidates(std::size_t index) {
-  Part& part = controller_.parts_[index];
+  auto& coordinator = *controller_.parts_[index].as<layout::CoordinatorRole>();
   for (const Wire& wire : model_.components[index].wires) {
     for (const Source& source : wire.sources) {
       if (source.kind != Source::Kind::ModuleCommand) continue;
-      const Part& from = this->part(source.component);
-      part.candidates.push_back(from.acting ? &from.acting->command() : &from.command);
-      part.candidate_parts.push_back(source.component);
+      const Part& from = part(source.component);
+      const auto* acting = from.as<layout::ActingRole>();
+      coordinator.candidates.push_back(acting != nullptr ? &acting->module->command()
+                                                         : &from.as<layout::CoordinatorRole>()->command);
+      coordinator.candidate_parts.push_back(source.component);
       taker_[static_cast<std::size_t>(source.component)] = static_cast<int>(index);
     }
   }
-  part.shares.assign(part.candidates.size(), 0);
+  coordinator.shares.assign(coordinator.candidates.size(), 0);
 }
 
 }  // namespace ganglion

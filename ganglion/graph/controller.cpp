@@ -3,28 +3,37 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <unordered_map>
 
 namespace ganglion {
+
+using layout::ActingRole;
+using layout::CoordinatorRole;
+using layout::GoalRole;
+using layout::Part;
+using layout::SensationRole;
+using layout::SensingRole;
+
 namespace {
 
 /// A robot that hears nothing stops by itself after this time, or one and a half ticks if those are longer.
 constexpr double kDefaultTtl_s = 0.3;
+
+/// What an acting module or a coordinator commands; nothing of others.
+const Command& command_of(const Part& part) noexcept {
+  static constexpr Command kNothing{};
+  if (const auto* acting = part.as<ActingRole>()) return acting->module->command();
+  const auto* coordinator = part.as<CoordinatorRole>();
+  return coordinator != nullptr ? coordinator->command : kNothing;
+}
 
 }  // namespace
 
 void Controller::tick(const SenseFrame& frame, double step_s, ActFrame& act) noexcept {
   const Tick tick{frame.tick, frame.time_s, step_s};
   const bool priced = frame.cost && std::isfinite(*frame.cost);
-  const std::optional<double> cost = priced ? frame.cost : std::nullopt;
   sense(frame);
   run_sensing(tick);
-  for (const int index : schedule_.upward) {
-    Part& part = parts_[static_cast<std::size_t>(index)];
-    gather(part);
-    const bool through = part.charged_by >= 0;
-    part.acting->settle(through ? parts_[static_cast<std::size_t>(part.charged_by)].acting->last_cost() : cost);
-  }
+  settle(priced ? frame.cost : std::nullopt);
   run_goals(tick);
   run_acting(tick);
   act.tick = frame.tick;
@@ -35,14 +44,15 @@ void Controller::tick(const SenseFrame& frame, double step_s, ActFrame& act) noe
 
 void Controller::sense(const SenseFrame& frame) noexcept {
   expects(frame.values.size() == sense_values_ && frame.ages_s.size() == sense_channels_);
-  Block& block = *block_;
-  for (Part& part : parts_) {
-    if (part.component_class != ComponentClass::Sensation) continue;
+  layout::Block& block = *block_;
+  for (const Part& part : parts_) {
+    const auto* sensation = part.as<SensationRole>();
+    if (sensation == nullptr) continue;
     const std::size_t count = part.signals.count - 1;  // the last one is the age
     for (std::size_t i = 0; i < count; ++i) {
-      block.now[part.signals.first + i] = frame.values[part.frame_offset + i] + 0.0;  // -0 becomes 0
+      block.now[part.signals.first + i] = frame.values[sensation->frame_offset + i] + 0.0;  // -0 becomes 0
     }
-    const double told_s = frame.ages_s[part.channel];
+    const double told_s = frame.ages_s[sensation->channel];
     const double age_s = told_s >= 0 ? told_s : std::numeric_limits<double>::infinity();
     block.now[part.signals.first + count] = age_s;
     block.ages[part.out_ages.first] = age_s;
@@ -50,9 +60,9 @@ void Controller::sense(const SenseFrame& frame) noexcept {
   }
 }
 
-void Controller::gather(Part& part) noexcept {
-  Block& block = *block_;
-  for (const Copy& copy : part.gather) {
+void Controller::gather(const Part& part) noexcept {
+  layout::Block& block = *block_;
+  for (const layout::Copy& copy : part.gather) {
     const std::vector<double>& from = copy.previous ? block.before : block.now;
     const std::vector<double>& ages = copy.previous ? block.ages_before : block.ages;
     std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(copy.from), copy.count,
@@ -66,84 +76,139 @@ void Controller::set_ages(const Part& part, double age_s) noexcept {
 }
 
 void Controller::run_sensing(const Tick& tick) noexcept {
-  Block& block = *block_;
   for (const int index : schedule_.sensing) {
-    Part& part = parts_[static_cast<std::size_t>(index)];
-    gather(part);
-    part.sensing->cycle(tick);
+    const Part& one = part(index);
+    gather(one);
+    const auto& sensing = *one.as<SensingRole>();
+    sensing.module->cycle(tick);
     double oldest_s = 0;  // a percept is as old as the oldest reading it was made of
-    for (const std::size_t age : part.aged_by) oldest_s = std::max(oldest_s, block.ages[age]);
-    set_ages(part, oldest_s);
+    for (const std::size_t age : sensing.aged_by) oldest_s = std::max(oldest_s, block_->ages[age]);
+    set_ages(one, oldest_s);
   }
 }
 
-void Controller::run_goals(const Tick& tick) noexcept {
-  for (const int index : schedule_.goals) gather(parts_[static_cast<std::size_t>(index)]);
-  for (Part& part : parts_) {
-    if (part.arbiter) part.arbiter->decide(tick, *part.request);
+void Controller::settle(std::optional<double> cost) noexcept {
+  for (const int index : schedule_.upward) {
+    const Part& one = part(index);
+    gather(one);
+    const auto& acting = *one.as<ActingRole>();
+    const bool through = acting.charged_by >= 0;
+    acting.module->settle(through ? part(acting.charged_by).as<ActingRole>()->module->last_cost() : cost);
   }
-  for (const int index : schedule_.goals) set_ages(parts_[static_cast<std::size_t>(index)], 0);
+}
+
+/// What became of requests is told first; then each goal says once what it wants, however many modules it asks.
+void Controller::run_goals(const Tick& tick) noexcept {
+  for (Part& one : parts_) {
+    auto* acting = one.as<ActingRole>();
+    if (acting != nullptr && acting->arbiter) acting->arbiter->conclude(tick, *acting->request);
+  }
+  for (const int index : schedule_.goals) {
+    gather(part(index));
+    part(index).as<GoalRole>()->goal->decide(tick);
+  }
+  for (Part& one : parts_) {
+    auto* acting = one.as<ActingRole>();
+    if (acting != nullptr && acting->arbiter) acting->arbiter->decide(tick, *acting->request);
+  }
+  for (const int index : schedule_.goals) publish_goal(part(index), tick);
 }
 
 void Controller::run_acting(const Tick& tick) noexcept {
   for (const int index : schedule_.acting) {
-    Part& part = parts_[static_cast<std::size_t>(index)];
-    gather(part);
-    if (part.acting) {
-      if (!part.acting->waits()) part.acting->cycle(tick);
+    Part& one = part(index);
+    gather(one);
+    if (const auto* acting = one.as<ActingRole>()) {
+      if (!acting->module->waits()) acting->module->cycle(tick);
     } else {
-      coordinate(part, tick);
+      coordinate(one, tick);
     }
-    publish(part);
+    publish(one);
   }
 }
 
 void Controller::coordinate(Part& part, const Tick& tick) noexcept {
-  std::fill(part.shares.begin(), part.shares.end(), 0.0);
-  part.command = part.coordinator->coordinate(Feedback{tick, part.views, part.granted}, part.candidates, part.shares);
-  const bool acts = part.command.kind == CommandKind::Act;
-  for (std::size_t i = 0; i < part.shares.size(); ++i) {  // what did not act had no part, whatever the kind says
-    if (!acts || part.candidates[i]->kind != CommandKind::Act) part.shares[i] = 0;
+  auto& role = *part.as<CoordinatorRole>();
+  std::fill(role.shares.begin(), role.shares.end(), 0.0);
+  role.command = role.coordinator->coordinate(Feedback{tick, part.views, part.share}, role.candidates, role.shares);
+  const bool acts = role.command.kind == CommandKind::Act;
+  for (std::size_t i = 0; i < role.shares.size(); ++i) {  // what did not act had no part, whatever the kind says
+    if (!acts || role.candidates[i]->kind != CommandKind::Act) role.shares[i] = 0;
   }
-  if (part.below == nullptr) return;
-  if (part.command.kind != CommandKind::Act) {
-    part.below->clear();
-    if (part.command.kind == CommandKind::Withdraw) part.below->withdraw(part.command.reason);
-  } else if (part.below->status != RequestStatus::Pending ||
-             !std::equal(part.command.span().begin(), part.command.span().end(), part.below->span().begin(),
-                         part.below->span().end())) {
-    part.below->ask(part.command.span());
+  if (role.below == nullptr) return;
+  if (acts) {
+    role.below->keep_asking(role.command.span(), role.command.ttl_s);
+    return;
   }
-}
-
-const Command& Controller::command_of(const Part& part) const noexcept {
-  return part.acting ? part.acting->command() : part.command;
+  role.below->clear();
+  if (role.command.kind == CommandKind::Withdraw) role.below->withdraw(role.command.reason);
 }
 
 /// Signals that every acting module and coordinator has: what it is up to and what it commands.
-void Controller::publish(Part& part) noexcept {
-  Block& block = *block_;
+void Controller::publish(const Part& part) noexcept {
+  if (part.as<ActingRole>() != nullptr) publish_acting(part);
+  if (part.as<CoordinatorRole>() != nullptr) publish_shares(part);
   const Command& command = command_of(part);
-  if (part.acting) {
-    block.now[part.common] = command.kind == CommandKind::Act ? 1 : 0;
-    block.now[part.common + 1] = part.request ? static_cast<double>(part.request->status) : 0;
-    block.now[part.common + 2] = part.request ? static_cast<double>(part.request->reason.code) : 0;
-  }
   for (std::size_t i = 0; i < part.command_signals.count; ++i) {
     const bool given = command.kind == CommandKind::Act && i < static_cast<std::size_t>(command.size);
-    block.now[part.command_signals.first + i] = given ? command.values[i] : 0;
+    block_->now[part.command_signals.first + i] = given ? command.values[i] : 0;
   }
+  set_ages(part, 0);
+}
+
+void Controller::publish_acting(const Part& part) noexcept {
+  enum Common : std::size_t { kActive, kStatus, kReason, kSettled };
+  const auto& acting = *part.as<ActingRole>();
+  std::vector<double>& now = block_->now;
+  now[part.common_at[kActive]] = acting.module->command().kind == CommandKind::Act ? 1 : 0;
+  now[part.common_at[kStatus]] = acting.request ? static_cast<double>(acting.request->status) : 0;
+  now[part.common_at[kReason]] = acting.request ? static_cast<double>(acting.request->reason.code) : 0;
+  if (part.common_at.size() > kSettled) now[part.common_at[kSettled]] = acting.module->is_settled() ? 1 : 0;
+}
+
+/// Who drives, who wanted to and who could not: the candidate with the largest part counts as the one that drives.
+void Controller::publish_shares(const Part& part) noexcept {
+  enum Common : std::size_t { kActive, kShare, kWanted, kSuppressed };
+  const auto& role = *part.as<CoordinatorRole>();
+  std::vector<double>& now = block_->now;
+  std::size_t most = 0;
+  for (std::size_t i = 0; i < role.shares.size(); ++i) {
+    const bool wants = role.candidates[i]->kind == CommandKind::Act;
+    if (role.shares[i] > role.shares[most]) most = i;
+    now[part.common_at[kShare] + i] = role.shares[i];
+    now[part.common_at[kWanted] + i] = wants ? 1 : 0;
+    now[part.common_at[kSuppressed] + i] = wants && role.shares[i] == 0 ? 1 : 0;
+  }
+  const bool any = !role.shares.empty() && role.shares[most] > 0;
+  now[part.common_at[kActive]] = any ? static_cast<double>(most) : -1;
+}
+
+void Controller::publish_goal(const Part& part, const Tick& tick) noexcept {
+  enum Common : std::size_t { kIntensity, kHolds, kRests };
+  const auto& role = *part.as<GoalRole>();
+  bool holds = false;
+  std::uint32_t rests = 0;
+  for (const auto& [module, member] : role.asks) {
+    const GoalArbiter& arbiter = *this->part(module).as<ActingRole>()->arbiter;
+    holds = holds || arbiter.holds(member);
+    rests = std::max(rests, arbiter.rests(member, tick));
+  }
+  const Bid& wanted = role.goal->wanted();
+  block_->now[part.common_at[kIntensity]] = wanted.values.empty() ? 0 : wanted.intensity;
+  block_->now[part.common_at[kHolds]] = holds ? 1 : 0;
+  block_->now[part.common_at[kRests]] = rests * tick.step_s;
   set_ages(part, 0);
 }
 
 /// What becomes of one command channel. Only commands that are numbers, as many as there should be, are carried out;
 /// adding zero makes -0 into 0, so that a link, which does not tell them apart, gives the same run.
-CommandOrigin Controller::write(const ChannelOut& channel, const Command& command, std::span<double> values) noexcept {
+CommandOrigin Controller::write(const layout::ChannelOut& channel, const Command& command,
+                                std::span<double> values) noexcept {
   bool valid = command.kind == CommandKind::Act && command.span().size() == channel.elements.size();
   for (const double value : command.span()) valid = valid && std::isfinite(value);
   for (std::size_t i = 0; i < channel.elements.size(); ++i) {
     const CommandElement& element = channel.elements[i];
-    values[i] = valid ? std::clamp(command.values[i], element.min, element.max) + 0.0 : element.safe;
+    values[i] = valid ? std::clamp(command.values[channel.from[i]], element.min, element.max) + 0.0 : element.safe;
   }
   if (valid) return CommandOrigin::Commanded;
   if (command.kind == CommandKind::Act) return CommandOrigin::Refused;
@@ -154,95 +219,58 @@ void Controller::send(ActFrame& act, double step_s) noexcept {
   expects(act.values.size() == command_frame_.count && act.origins.size() == channels_.size());
   const Command nothing;
   const double longest_s = std::max(kDefaultTtl_s, 1.5 * step_s);
-  for (Part& part : parts_) part.granted = true;
+  for (Part& part : parts_) part.share = 1;
   for (std::size_t c = 0; c < channels_.size(); ++c) {
-    const ChannelOut& channel = channels_[c];
-    Part* writer = channel.writer >= 0 ? &parts_[static_cast<std::size_t>(channel.writer)] : nullptr;
+    const layout::ChannelOut& channel = channels_[c];
+    Part* writer = channel.writer >= 0 ? &part(channel.writer) : nullptr;
     const Command& command = writer != nullptr ? command_of(*writer) : nothing;
     act.origins[c] = write(channel, command, std::span(act.values).subspan(channel.offset, channel.elements.size()));
     act.ttl_s[c] = command.ttl_s >= 0 ? std::min(command.ttl_s, longest_s) : longest_s;
     const bool withdrawn = act.origins[c] == CommandOrigin::Withdrawn;
-    act.reasons[c] = withdrawn ? static_cast<std::uint16_t>(command.reason.code) : std::uint16_t{0};
-    if (writer != nullptr) writer->granted = act.origins[c] == CommandOrigin::Commanded;
+    act.reasons[c] = withdrawn ? static_cast<std::uint16_t>(command.reason.common().code) : std::uint16_t{0};
+    if (writer != nullptr) writer->share = act.origins[c] == CommandOrigin::Commanded ? 1 : 0;
   }
   std::copy(act.values.begin(), act.values.end(),
             block_->now.begin() + static_cast<std::ptrdiff_t>(command_frame_.first));
 }
 
-/// Consumers come after their candidates in the schedule, so backwards each knows whether it was itself carried out;
-/// send() has told those that write to the application.
+/// Consumers come after their candidates in the schedule, so backwards each knows what part of its command was carried
+/// out; send() has told those that write to the application.
 void Controller::grant() noexcept {
   for (auto index = schedule_.acting.rbegin(); index != schedule_.acting.rend(); ++index) {
-    Part& part = parts_[static_cast<std::size_t>(*index)];
-    if (part.acting) part.acting->grant(part.granted);
-    for (std::size_t i = 0; i < part.candidate_parts.size(); ++i) {
-      parts_[static_cast<std::size_t>(part.candidate_parts[i])].granted = part.granted && part.shares[i] > 0;
+    const Part& one = part(*index);
+    if (const auto* acting = one.as<ActingRole>()) acting->module->carried_out(one.share);
+    const auto* coordinator = one.as<CoordinatorRole>();
+    for (std::size_t i = 0; coordinator != nullptr && i < coordinator->candidate_parts.size(); ++i) {
+      part(coordinator->candidate_parts[i]).share = one.share * coordinator->shares[i];
     }
   }
 }
 
 void Controller::close(const Tick& tick) noexcept {
-  Block& block = *block_;
+  layout::Block& block = *block_;
   const std::span<const double> values(block.now);
   for (const Part& part : parts_)
-    digest_.add(part.digest, tick.number, values.subspan(part.signals.first, part.signals.count));
+    digest_.add(part.digest, tick.number, values.subspan(part.signals.first, part.digested));
   digest_.add(command_digest_, tick.number, values.subspan(command_frame_.first, command_frame_.count));
   std::copy_n(block.now.begin(), signals_.size(), block.before.begin());
   for (std::size_t i = 0; i < block.ages.size(); ++i) block.ages_before[i] = block.ages[i] + tick.step_s;
 }
 
-const Component* Controller::component(int index) const noexcept {
-  const Part& part = parts_[static_cast<std::size_t>(index)];
-  if (part.sensing) return part.sensing.get();
-  if (part.goal) return part.goal.get();
-  if (part.acting) return part.acting.get();
-  return part.coordinator.get();
+const ActingModule* Controller::acting(int index) const noexcept {
+  const auto* acting = part(index).as<ActingRole>();
+  return acting != nullptr ? acting->module : nullptr;
+}
+
+const RequestSlot* Controller::request(int index) const noexcept {
+  const auto* acting = part(index).as<ActingRole>();
+  return acting != nullptr ? acting->request.get() : nullptr;
 }
 
 void Controller::grow() {
-  for (Part& part : parts_) {
-    if (part.sensing) part.sensing->grow();
-    if (part.goal) part.goal->grow();
-    if (part.acting) part.acting->grow();
-    if (part.coordinator) part.coordinator->grow();
+  for (const Part& part : parts_) {
+    if (part.component != nullptr) part.component->grow();
   }
-}
-
-std::vector<ModuleExperience> Controller::experience() const {
-  std::vector<ModuleExperience> result;
-  for (int i = 0; i < components(); ++i) {
-    const Component* one = component(i);
-    if (one == nullptr || one->experience_version() == 0) continue;
-    ModuleExperience learned{parts_[static_cast<std::size_t>(i)].id,
-                             parts_[static_cast<std::size_t>(i)].kind,
-                             one->experience_version(),
-                             {}};
-    one->save(learned.parts);
-    result.push_back(std::move(learned));
-  }
-  return result;
-}
-
-void Controller::load(const std::vector<ModuleExperience>& learned, Problems& problems) {
-  std::unordered_map<std::string_view, int> learners;  // for look-ups only
-  for (int i = 0; i < components(); ++i) {
-    if (component(i) != nullptr) learners.emplace(id(i), i);
-  }
-  for (const ModuleExperience& one : learned) {
-    const auto found = learners.find(one.component);
-    if (found == learners.end() || parts_[static_cast<std::size_t>(found->second)].kind != one.kind) {
-      problems.add({}, ErrorCode::UnknownKey,
-                   {"experience of \"{}\" ({}) belongs to no component of this controller",
-                    "la experiencia de \"{}\" ({}) no pertenece a ningún componente de este controlador"},
-                   one.component, one.kind);
-      continue;
-    }
-    auto* learner = const_cast<Component*>(component(found->second));
-    if (auto loaded = learner->load(one.version, one.parts); !loaded) {
-      problems.add({}, loaded.error().code, {"{}: {}", "{}: {}"}, one.component, loaded.error().what);
-    }
-  }
-  grow();
 }
 
 }  // namespace ganglion

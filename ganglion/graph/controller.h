@@ -7,9 +7,9 @@
 
 #include "ganglion/application/application.h"
 #include "ganglion/graph/digest.h"
-#include "ganglion/graph/goal_arbiter.h"
 #include "ganglion/graph/model.h"
 #include "ganglion/graph/order.h"
+#include "ganglion/graph/part.h"
 
 namespace ganglion {
 
@@ -62,81 +62,43 @@ class Controller {
   int components() const noexcept { return static_cast<int>(parts_.size()); }
   const std::string& id(int component) const noexcept { return parts_[static_cast<std::size_t>(component)].id; }
   /// For exhibits; null for sensations.
-  const Component* component(int index) const noexcept;
-  const ActingModule* acting(int index) const noexcept { return parts_[static_cast<std::size_t>(index)].acting.get(); }
+  const Component* component(int index) const noexcept {
+    return parts_[static_cast<std::size_t>(index)].component.get();
+  }
+  /// Null for components of other classes.
+  const ActingModule* acting(int index) const noexcept;
   /// The request of an acting module; null for behaviours and other components.
-  const RequestSlot* request(int index) const noexcept { return parts_[static_cast<std::size_t>(index)].request.get(); }
+  const RequestSlot* request(int index) const noexcept;
 
  private:
   friend class Compiler;
 
-  /// Values lie at fixed addresses for a controller's whole life: spans point into them.
-  struct Block {
-    std::vector<double> now, before;        ///< Signals first, then one stretch for each input port.
-    std::vector<double> ages, ages_before;  ///< For each signal stretch, then for each wire of each input.
-  };
-  struct Copy {
-    std::size_t to, from, count;
-    std::size_t age_to, age_from;
-    bool previous;
-  };
-  struct Stretch {
-    std::size_t first = 0, count = 0;
-  };
-  struct Part {
-    std::string id;
-    std::string kind;
-    ComponentClass component_class = ComponentClass::Sensation;
-    std::unique_ptr<SensingModule> sensing;
-    std::unique_ptr<GlobalGoal> goal;
-    std::unique_ptr<ActingModule> acting;
-    std::unique_ptr<Coordinator> coordinator;
-    std::unique_ptr<RequestSlot> request;
-    RequestSlot* below = nullptr;  ///< Of a coordinator whose command is a request.
-    std::optional<GoalArbiter> arbiter;
-    std::vector<Copy> gather;          ///< Wires to copy before it runs.
-    Stretch signals;                   ///< All its outputs.
-    Stretch out_ages;                  ///< One age for each output.
-    std::vector<std::size_t> aged_by;  ///< Of a sensing module: ages of the readings its percepts are made of.
-    std::size_t common = 0;            ///< First of the outputs common to the class.
-    Stretch command_signals;           ///< Of acting modules and coordinators: their command's values.
-    std::vector<PortView> views;
-    std::vector<std::span<double>> outputs;
-    std::vector<const Command*> candidates;
-    std::vector<int> candidate_parts;
-    std::vector<double> shares;
-    int charged_by = -1;  ///< The module whose cost is its cost, behind coordinators; -1 = the application's.
-    Command command{};    ///< Of a coordinator.
-    bool granted = true;
-    std::size_t frame_offset = 0, channel = 0;  ///< Of a sensation.
-    std::size_t digest = 0;
-  };
-  struct ChannelOut {
-    int writer = -1;
-    std::size_t offset = 0;
-    std::vector<CommandElement> elements;
-  };
-
-  Controller() : block_(std::make_unique<Block>()) {}
+  Controller() : block_(std::make_unique<layout::Block>()) {}
   void sense(const SenseFrame& frame) noexcept;
   void run_sensing(const Tick& tick) noexcept;
+  void settle(std::optional<double> cost) noexcept;
   void run_goals(const Tick& tick) noexcept;
   void run_acting(const Tick& tick) noexcept;
-  void coordinate(Part& part, const Tick& tick) noexcept;
-  static CommandOrigin write(const ChannelOut& channel, const Command& command, std::span<double> values) noexcept;
+  void coordinate(layout::Part& part, const Tick& tick) noexcept;
+  static CommandOrigin write(const layout::ChannelOut& channel, const Command& command,
+                             std::span<double> values) noexcept;
   void grant() noexcept;
   void send(ActFrame& act, double step_s) noexcept;
   void close(const Tick& tick) noexcept;
-  void gather(Part& part) noexcept;
-  void publish(Part& part) noexcept;
-  void set_ages(const Part& part, double age_s) noexcept;
-  const Command& command_of(const Part& part) const noexcept;
+  void gather(const layout::Part& part) noexcept;
+  void publish(const layout::Part& part) noexcept;
+  void publish_goal(const layout::Part& part, const Tick& tick) noexcept;
+  void publish_acting(const layout::Part& part) noexcept;
+  void publish_shares(const layout::Part& part) noexcept;
+  void set_ages(const layout::Part& part, double age_s) noexcept;
+  layout::Part& part(int index) noexcept { return parts_[static_cast<std::size_t>(index)]; }
+  const layout::Part& part(int index) const noexcept { return parts_[static_cast<std::size_t>(index)]; }
 
-  std::unique_ptr<Block> block_;
-  std::vector<Part> parts_;
+  std::unique_ptr<layout::Block> block_;
+  std::vector<layout::Part> parts_;
   std::vector<Signal> signals_;
-  std::vector<ChannelOut> channels_;
-  Stretch command_frame_;
+  std::vector<layout::ChannelOut> channels_;
+  layout::Stretch command_frame_;
   std::size_t sense_values_ = 0, sense_channels_ = 0;
   Schedule schedule_;
   Digest digest_;

@@ -58,7 +58,7 @@ TEST(Coordinator, GivesNoShareToWhatDidNotAct) {
   rig.cost = 2;
   rig.tick(2);
   EXPECT_EQ(rig.command("move"), 4);
-  EXPECT_EQ(rig.signal("arbiter.share.one"), 1);  // as the kind claims
+  EXPECT_EQ(rig.signal("arbiter.share.one"), 0);  // whatever the kind claims
   EXPECT_EQ(rig.signal("one.adaptations"), 0);
   EXPECT_EQ(rig.signal("one.granted"), 0);
   EXPECT_EQ(rig.signal("two.adaptations"), 1);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ganglion {
 namespace {
@@ -26,6 +27,8 @@ GoalArbiter::GoalArbiter(std::vector<GlobalGoal*> goals, bool preemption) : pree
 }
 
 void GoalArbiter::conclude(const Tick& tick, const RequestSlot& slot) noexcept {
+  const bool ended = slot.status == RequestStatus::Satisfied || slot.status == RequestStatus::Withdrawn;
+  if (!open_ || !ended) return;
   Member& member = members_[static_cast<std::size_t>(holder_)];
   open_ = false;
   if (slot.status == RequestStatus::Withdrawn) {
@@ -76,23 +79,33 @@ int GoalArbiter::successor(const Tick& tick, const RequestSlot& slot) noexcept {
 }
 
 void GoalArbiter::decide(const Tick& tick, RequestSlot& slot) noexcept {
-  const bool ended = slot.status == RequestStatus::Satisfied || slot.status == RequestStatus::Withdrawn;
-  if (open_ && ended) conclude(tick, slot);
-  for (Member& member : members_) {
-    member.bid = member.goal->bid(tick);
-    if (!is_number(member.bid)) member.bid = {};
-  }
+  for (Member& member : members_) member.bid = is_number(member.goal->wanted()) ? member.goal->wanted() : Bid{};
+  if (slot.standing) return decide_standing(tick, slot);
   const int next = open_ ? successor(tick, slot) : strongest(tick);
   if (next < 0) return;
+  hand_over(next);
+  slot.ask(members_[static_cast<std::size_t>(next)].bid.values);
+}
+
+void GoalArbiter::decide_standing(const Tick& tick, RequestSlot& slot) noexcept {
+  const int next = strongest(tick);
+  if (next >= 0) {
+    hand_over(next);
+    slot.keep_asking(members_[static_cast<std::size_t>(next)].bid.values, std::numeric_limits<double>::infinity());
+  } else if (open_) {
+    open_ = false;
+    slot.clear();
+  }
+}
+
+void GoalArbiter::hand_over(int next) noexcept {
   if (open_ && next != holder_) {
     const Reason reason{ReasonCode::Preempted, static_cast<double>(holder_), static_cast<double>(next)};
     members_[static_cast<std::size_t>(holder_)].goal->concluded(RequestStatus::Withdrawn, reason);
   }
-  const Bid& bid = members_[static_cast<std::size_t>(next)].bid;
   holder_ = next;
-  held_class_ = bid.priority_class;
+  held_class_ = members_[static_cast<std::size_t>(next)].bid.priority_class;
   open_ = true;
-  slot.ask(bid.values);
 }
 
 }  // namespace ganglion

@@ -14,13 +14,23 @@ namespace ganglion {
 /// held it last keeps it unless a challenger is 0.1 stronger. A pending request gives way only to a goal of a higher
 /// class (where pre-emption is on) or to its own holder when that may replace it (a trainer). After k withdrawals in a
 /// row a goal keeps still for 2^k ticks, k <= 8; a trainer's new request does not wait. A bid that is not a number is
-/// no bid.
+/// no bid. For a standing request, a set-point, they compete at every tick, and where none wants anything it lapses.
 ///
 /// Source    ours; the papers name only the goal "App".
 class GoalArbiter {
  public:
   GoalArbiter(std::vector<GlobalGoal*> goals, bool preemption);
+  /// First in a tick: tells the holder what became of its request, if anything did.
+  void conclude(const Tick& tick, const RequestSlot& slot) noexcept;
+  /// Then, once all goals have made up their minds: who asks now.
   void decide(const Tick& tick, RequestSlot& slot) noexcept;
+  /// Whether the request under way is that goal's.
+  bool holds(std::size_t goal) const noexcept { return open_ && holder_ == static_cast<int>(goal); }
+  /// For how many more ticks that goal keeps still.
+  std::uint32_t rests(std::size_t goal, const Tick& tick) const noexcept {
+    const std::uint32_t until = members_[goal].rests_until;
+    return until > tick.number ? until - tick.number : 0;
+  }
   /// Index of the goal whose request is under way or was last; -1 = none yet.
   int holder() const noexcept { return holder_; }
 
@@ -33,7 +43,8 @@ class GoalArbiter {
     int refused_size = 0;
     Bid bid{};
   };
-  void conclude(const Tick& tick, const RequestSlot& slot) noexcept;
+  void decide_standing(const Tick& tick, RequestSlot& slot) noexcept;
+  void hand_over(int next) noexcept;
   /// Who takes over from a pending request: a higher class, or its holder with other values; -1 = nobody.
   int successor(const Tick& tick, const RequestSlot& slot) noexcept;
   int strongest(const Tick& tick) const noexcept;

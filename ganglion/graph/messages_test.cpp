@@ -132,7 +132,9 @@ TEST(Messages, OfWires) {
        "age"},
       {"dangling mark", kLeft, "in.left = \"sonar_left@prev\"",
        "c.toml:30:11: back_off: \"sonar_left@prev\": the only mark is @previous, as in \"sonar_left@previous\""},
-      {"a goal's values", kLeft, "in.left = \"charger\"", "c.toml:30:11: back_off: \"charger\" has no outputs"},
+      {"a goal's values", kLeft, "in.left = \"charger\"",
+       "c.toml:30:11: back_off: \"charger\" has several outputs; say which; valid: charger.intensity, charger.holds, "
+       "charger.rests_s"},
       {"circle", "[\"sonar_left\", \"sonar_right\"]", "[\"sonar_left\", \"nearest.range\"]",
        "c.toml:20:28: nearest: these wires run in a circle within one tick: nearest -> nearest; write "
        "\"nearest.range@previous\" to break it"},

@@ -8,6 +8,7 @@
 #include "ganglion/config/outline.h"
 #include "ganglion/config/value.h"
 #include "ganglion/graph/kind_list.h"
+#include "ganglion/module/tick/request.h"
 
 namespace ganglion {
 
@@ -45,6 +46,7 @@ struct OutputShape {
   ValueType type = ValueType::Real;
   std::vector<std::string> elements;  ///< Empty = one value.
   bool declared = true;
+  bool derived = false;  ///< In no digest.
   int size() const noexcept { return elements.empty() ? 1 : static_cast<int>(elements.size()); }
 };
 
@@ -62,10 +64,18 @@ struct ComponentModel {
   std::string command;  ///< Of an acting module or coordinator: the robot's command it drives, "" = none.
   Place command_place{};
   int command_index = -1;
-  double tolerance = 0;    ///< Of an acting module: for its request.
-  bool preemption = true;  ///< Of an acting module: whether a goal of a higher class may take it over.
+  std::vector<double> tolerance;  ///< Of an acting module: one number, or one for each value of that port.
+  Comparison comparison{};        ///< Of an acting module: of its first Feedback port with what is sought.
+  bool preemption = true;         ///< Of an acting module: whether a goal of a higher class may take it over.
   std::vector<OutputShape> outputs;
 
+  /// Its ports, as its parameters shape them. None of a sensation.
+  std::span<const PortDescriptor> ports() const noexcept {
+    return descriptor != nullptr ? descriptor->ports : std::span<const PortDescriptor>{};
+  }
+  /// The port of that name, or the first of that role; null if there is none.
+  const PortDescriptor* port(std::string_view name) const noexcept;
+  const PortDescriptor* port_of(PortRole role) const noexcept;
   const Wire* wire(int port) const noexcept;
 };
 
@@ -88,9 +98,9 @@ inline constexpr std::size_t kMaxComponents = 4096;
 inline constexpr std::size_t kMaxWires = 4096;
 inline constexpr std::size_t kMaxValues = std::size_t{1} << 20;
 
-/// The tolerance of an acting module's requests where its file gives none, by its first Feedback port: 0.05 m, 5 deg,
-/// and 0 for whole numbers, whose requests take no other, and for every other unit.
-double default_tolerance(const Descriptor& kind) noexcept;
+/// The tolerance of an element of a Feedback port that requests are compared with, where the file gives none: 0.05 m,
+/// 5 deg, and 0 for whole numbers, whose requests take no other, and for every other unit.
+double default_tolerance(const PortDescriptor& port, std::size_t element) noexcept;
 
 /// Reads a controller file. Every problem is reported at its place; the model holds what was understood. `outline`
 /// takes down what was asked.

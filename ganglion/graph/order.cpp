@@ -17,7 +17,7 @@ Edges predecessors_of(const ControllerModel& model) {
   for (std::size_t i = 0; i < model.components.size(); ++i) {
     const ComponentModel& component = model.components[i];
     for (const Wire& wire : component.wires) {
-      const PortRole role = component.descriptor->ports[static_cast<std::size_t>(wire.port)].role;
+      const PortRole role = component.ports()[static_cast<std::size_t>(wire.port)].role;
       if (role == PortRole::Appraisal) continue;  // of the tick before by its nature
       for (const Source& source : wire.sources) {
         const bool within = source.kind == Source::Kind::Output || source.kind == Source::Kind::ModuleCommand;

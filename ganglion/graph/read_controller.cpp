@@ -77,10 +77,10 @@ const Descriptor* read_kind(Table& table, ComponentClass component_class, const 
   return nullptr;
 }
 
-std::vector<std::string> input_names(const Descriptor& descriptor) {
+std::vector<std::string> input_names(const ComponentModel& component) {
   std::vector<std::string> names;
-  for (const PortDescriptor& port : descriptor.ports) {
-    if (is_input(descriptor.component_class, port.role)) names.emplace_back(port.name);
+  for (const PortDescriptor& port : component.ports()) {
+    if (is_input(component.component_class, port.role)) names.emplace_back(port.name);
   }
   return names;
 }
@@ -103,7 +103,7 @@ std::vector<Source> read_sources(Table& in, const std::string& port) {
 class WireReader {
  public:
   WireReader(Table& table, ComponentModel& component)
-      : table_(table), component_(component), descriptor_(*component.descriptor), names_(input_names(descriptor_)) {}
+      : table_(table), component_(component), descriptor_(*component.descriptor), names_(input_names(component)) {}
 
   void run() {
     misplaced();
@@ -114,7 +114,7 @@ class WireReader {
       in.known(name);
       if (!in.problems().full()) read(in, name);
     }
-    for (const PortDescriptor& port : descriptor_.ports) {
+    for (const PortDescriptor& port : component_.ports()) {
       if (!port.required || !is_input(descriptor_.component_class, port.role) || given(port.name)) continue;
       table_.problem("id", Error{ErrorCode::BadWire,
                                  say({"input \"{}\" is not wired; write in.{} = \"...\"",
@@ -139,7 +139,7 @@ class WireReader {
   }
 
   void read(Table& in, const std::string& name) {
-    const PortDescriptor* port = descriptor_.port(name);
+    const PortDescriptor* port = component_.port(name);
     if (port == nullptr || !is_input(descriptor_.component_class, port->role)) {
       const Sentence hint = names_.empty() ? say({"; it takes none", "; no tiene ninguna"}) : suggestion(name, names_);
       in.problem(name, Error{ErrorCode::UnknownKey,
@@ -157,12 +157,12 @@ class WireReader {
       return;
     }
     Wire wire;
-    wire.port = static_cast<int>(port - descriptor_.ports.data());
+    wire.port = static_cast<int>(port - component_.ports().data());
     wire.place = in.place(name);
     wire.sources = read_sources(in, name);
     const config::Array* list = in.value(name)->array();
     if (list == nullptr || !list->empty()) given_.push_back(name);
-    if (!port->many && port->role != PortRole::Request && wire.sources.size() > 1) {
+    if (!port->many && !port->each_candidate && port->role != PortRole::Request && wire.sources.size() > 1) {
       in.problem(name, Error{ErrorCode::BadWire,
                              say({"input \"{}\" takes one wire, not {}", "la entrada \"{}\" admite un cable, no {}"},
                                  name, wire.sources.size()),
@@ -181,22 +181,39 @@ class WireReader {
   std::vector<std::string> given_;  // wired, or meant to be by what was reported already
 };
 
-/// What requests to a module are compared with.
-const PortDescriptor* first_feedback(const Descriptor& kind) noexcept {
-  for (const PortDescriptor& port : kind.ports) {
-    if (port.role == PortRole::Feedback) return &port;
+/// The tolerances that are written; none where none is.
+std::vector<double> read_tolerances(Table& table, const PortDescriptor& port) {
+  const config::Value* written = table.value("tolerance");
+  if (written != nullptr && written->array() != nullptr) {
+    return table.numbers("tolerance", {}, static_cast<std::size_t>(port.width()), config::kNotNegative);
   }
-  return nullptr;
+  const double one = table.number("tolerance", default_tolerance(port, 0), config::kNotNegative);
+  return written != nullptr ? std::vector<double>{one} : std::vector<double>{};
 }
 
+/// How near the reading of its first Feedback port must come to what is sought: one number for all its values, or a list
+/// with one for each.
 void read_tolerance(Table& table, ComponentModel& component) {
-  component.tolerance = table.number("tolerance", default_tolerance(*component.descriptor), config::kNotNegative);
-  const PortDescriptor* port = first_feedback(*component.descriptor);
-  if (component.tolerance == 0 || port == nullptr || port->type != ValueType::Discrete) return;
-  table.problem("tolerance", ErrorCode::BadParameter,
-                {"tolerance is {}, but \"{}\" is made of whole numbers, which are compared exactly; leave it out",
-                 "tolerance es {}, pero \"{}\" se compone de números enteros, que se comparan con exactitud; quítela"},
-                shortest(component.tolerance), port->name);
+  const PortDescriptor* port = component.port_of(PortRole::Feedback);
+  if (port == nullptr) {
+    table.number("tolerance", 0, config::kNotNegative);
+    return;
+  }
+  const std::vector<double> given = read_tolerances(table, *port);
+  component.tolerance = given.empty() ? std::vector<double>{default_tolerance(*port, 0)} : given;
+  for (std::size_t i = 0; i < kMaxCommandValues; ++i) {
+    component.comparison.circular[i] = port->type_of(i) == ValueType::Circular;
+    component.comparison.tolerance[i] = default_tolerance(*port, i);
+    if (given.empty()) continue;
+    component.comparison.tolerance[i] = given.size() == 1 ? given[0] : i < given.size() ? given[i] : 0;
+    if (component.comparison.tolerance[i] == 0 || port->type_of(i) != ValueType::Discrete) continue;
+    table.problem(
+        "tolerance", ErrorCode::BadParameter,
+        {"tolerance is {}, but \"{}\" is made of whole numbers, which are compared exactly; leave it out",
+         "tolerance es {}, pero \"{}\" se compone de números enteros, que se comparan con exactitud; quítela"},
+        shortest(component.comparison.tolerance[i]), port->name);
+    return;
+  }
 }
 
 void read_component(Table& table, ComponentClass component_class, const KindList& kinds, ControllerModel& model) {
@@ -263,11 +280,24 @@ void check_ids(const ControllerModel& model, Problems& problems) {
 
 }  // namespace
 
-double default_tolerance(const Descriptor& kind) noexcept {
-  const PortDescriptor* port = first_feedback(kind);
-  if (port == nullptr || port->type == ValueType::Discrete) return 0;
-  if (port->unit == "rad") return 5 * std::numbers::pi / 180;
-  return port->unit == "m" ? 0.05 : 0;
+double default_tolerance(const PortDescriptor& port, std::size_t element) noexcept {
+  if (port.type_of(element) == ValueType::Discrete) return 0;
+  if (port.unit_of(element) == "rad") return 5 * std::numbers::pi / 180;
+  return port.unit_of(element) == "m" ? 0.05 : 0;
+}
+
+const PortDescriptor* ComponentModel::port(std::string_view name) const noexcept {
+  for (const PortDescriptor& candidate : ports()) {
+    if (candidate.name == name) return &candidate;
+  }
+  return nullptr;
+}
+
+const PortDescriptor* ComponentModel::port_of(PortRole role) const noexcept {
+  for (const PortDescriptor& candidate : ports()) {
+    if (candidate.role == role) return &candidate;
+  }
+  return nullptr;
 }
 
 const Wire* ComponentModel::wire(int port) const noexcept {

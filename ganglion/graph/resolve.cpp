@@ -23,6 +23,7 @@ class Resolver {
     if (!shape_outputs(model_, robot_, ids_, problems_)) return;
     for (ComponentModel& component : model_.components) {
       for (Wire& wire : component.wires) resolve_wire(component, wire);
+      check_candidates(component);
     }
     check_commands(model_, robot_, problems_);
   }
@@ -53,6 +54,7 @@ class Resolver {
   void resolve_robot_command(const ComponentModel& component, Source& source, const std::vector<std::string>& parts);
   void check_shape(const ComponentModel& component, const PortDescriptor& port, const Source& source);
   void check_order(const ComponentModel& component, const PortDescriptor& port, const Source& source);
+  void check_candidates(const ComponentModel& component);
   std::string unit_of(const Source& source) const;
   bool is_appraisal(const Source& source) const;
   bool has_part(int component, const std::string& name) const;
@@ -103,7 +105,7 @@ void Resolver::check_name(const ComponentModel& component) {
 }
 
 void Resolver::resolve_wire(ComponentModel& component, Wire& wire) {
-  const PortDescriptor& port = component.descriptor->ports[static_cast<std::size_t>(wire.port)];
+  const PortDescriptor& port = component.ports()[static_cast<std::size_t>(wire.port)];
   for (Source& source : wire.sources) {
     if (problems_.full()) continue;
     look_at(fmt::format("in.{}", port.name), source.text);
@@ -326,8 +328,8 @@ std::string Resolver::unit_of(const Source& source) const {
 }
 
 void Resolver::check_shape(const ComponentModel& component, const PortDescriptor& port, const Source& source) {
-  const std::vector<std::string> elements(port.elements.begin(), port.elements.end());
-  const int wanted = elements.empty() ? port.size : static_cast<int>(elements.size());
+  const std::vector<std::string> elements = element_names(port);
+  const int wanted = port.width();
   if (wanted != 0 && source.size != wanted) {
     const std::string shape = elements.empty() ? "" : fmt::format(" {{{}}}", join(elements));
     problem(component, source.place,
@@ -358,6 +360,25 @@ void Resolver::check_order(const ComponentModel& component, const PortDescriptor
             {"\"{}\" is known only later in the tick; write \"{}@previous\"",
              "\"{}\" solo se conoce más tarde en el ciclo; escriba \"{}@previous\""},
             source.text, source.text);
+  }
+}
+
+/// Inputs with one wire for each candidate have as many as there are candidates.
+void Resolver::check_candidates(const ComponentModel& component) {
+  std::size_t candidates = 0;
+  for (const Wire& wire : component.wires) {
+    if (component.ports()[static_cast<std::size_t>(wire.port)].role == PortRole::Candidate) {
+      candidates += wire.sources.size();
+    }
+  }
+  for (const Wire& wire : component.wires) {
+    const PortDescriptor& port = component.ports()[static_cast<std::size_t>(wire.port)];
+    if (!port.each_candidate || wire.sources.size() == candidates) continue;
+    look_at(fmt::format("in.{}", port.name), "");
+    problem(component, wire.place,
+            {"input \"{}\" has {} wires, must have one for each of the {} candidates, in their order",
+             "la entrada \"{}\" tiene {} cables, debe tener uno por cada uno de los {} candidatos, en su orden"},
+            port.name, wire.sources.size(), candidates);
   }
 }
 

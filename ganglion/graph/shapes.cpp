@@ -7,23 +7,33 @@
 namespace ganglion {
 namespace {
 
-/// Names of the wires of the component's `many` input, for outputs that have one value each.
-std::vector<std::string> candidate_names(const ComponentModel& component) {
-  for (const Wire& wire : component.wires) {
-    if (!component.descriptor->ports[static_cast<std::size_t>(wire.port)].many) continue;
-    std::vector<std::string> names;
-    for (const Source& source : wire.sources) names.push_back(source.text.substr(0, source.text.find('@')));
-    return names;
+/// The input whose wires an output of many values has one for: the candidates, or else the first that takes many.
+int many_input(const ComponentModel& component) noexcept {
+  const auto ports = component.ports();
+  int first = -1;
+  for (std::size_t p = 0; p < ports.size(); ++p) {
+    if (ports[p].role == PortRole::Candidate) return static_cast<int>(p);
+    const bool input = is_input(component.component_class, ports[p].role);
+    if (input && ports[p].many && first < 0) first = static_cast<int>(p);
   }
-  return {};
+  return first;
+}
+
+/// Names of that input's wires.
+std::vector<std::string> candidate_names(const ComponentModel& component) {
+  std::vector<std::string> names;
+  const Wire* wire = component.wire(many_input(component));
+  if (wire == nullptr) return names;
+  for (const Source& source : wire->sources) names.push_back(source.text.substr(0, source.text.find('@')));
+  return names;
 }
 
 OutputShape shape_of(const PortDescriptor& port, const ComponentModel& component, bool declared) {
-  OutputShape shape{std::string(port.name), std::string(port.unit), port.type, {}, declared};
+  OutputShape shape{std::string(port.name), std::string(port.unit), port.type, {}, declared, port.derived};
   if (port.many) {
     shape.elements = candidate_names(component);
   } else if (!port.elements.empty()) {
-    shape.elements.assign(port.elements.begin(), port.elements.end());
+    shape.elements = element_names(port);
   } else if (port.size > 1) {
     for (int i = 0; i < port.size; ++i) shape.elements.push_back(std::to_string(i));
   }
@@ -45,13 +55,13 @@ void shape(ComponentModel& component, const RobotDescription& robot) {
     shape_sensation(component, robot);
     return;
   }
-  for (const PortDescriptor& port : component.descriptor->ports) {
+  for (const PortDescriptor& port : component.ports()) {
     if (port.role == PortRole::Output) component.outputs.push_back(shape_of(port, component, true));
   }
-  for (const PortDescriptor& port : common_outputs(component.component_class)) {
+  for (const PortDescriptor& port : common_outputs(component.component_class, component.ports())) {
     component.outputs.push_back(shape_of(port, component, false));
   }
-  for (const PortDescriptor& port : component.descriptor->ports) {
+  for (const PortDescriptor& port : component.ports()) {
     if (port.role == PortRole::Appraisal && component.component_class == ComponentClass::Acting) {
       component.outputs.push_back(shape_of(port, component, false));
     }
@@ -85,7 +95,7 @@ class Adoption {
 
   static const Source* wire_of(const ComponentModel& component) {
     if (component.descriptor == nullptr) return nullptr;
-    const auto& ports = component.descriptor->ports;
+    const auto ports = component.ports();
     const bool any = std::any_of(ports.begin(), ports.end(), [](const PortDescriptor& port) {
       return port.role == PortRole::Output && open(port);
     });
@@ -115,7 +125,7 @@ class Adoption {
     const OutputShape given = from >= 0 ? given_by(model_.components[static_cast<std::size_t>(from)], parts)
                                         : command_shape(robot_.command(parts.front()), parts.size());
     std::size_t output = 0;
-    for (const PortDescriptor& port : component.descriptor->ports) {
+    for (const PortDescriptor& port : component.ports()) {
       if (port.role != PortRole::Output) continue;
       OutputShape& shape = component.outputs[output++];
       if (open_size(port)) shape.elements = given.elements;

@@ -24,7 +24,7 @@ std::vector<std::string> WireHints::givers_for(const PortDescriptor& port) const
 }
 
 std::vector<std::string> WireHints::sources_for(const PortDescriptor& port) const {
-  const int wanted = port.elements.empty() ? port.size : static_cast<int>(port.elements.size());
+  const int wanted = port.width();
   std::vector<std::string> names;
   for (const ComponentModel& component : model_.components) {
     for (const OutputShape& output : component.outputs) {

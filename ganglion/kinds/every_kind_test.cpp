@@ -23,7 +23,7 @@ class Drawing {
   std::string sensation(const PortDescriptor& port) {
     const std::string id = "s" + std::to_string(robot_.sensations.size());
     SensationChannel channel{.name = id, .unit = port.unit == "*" ? "" : std::string(port.unit), .type = port.type};
-    const int size = port.elements.empty() ? std::max(port.size, 1) : static_cast<int>(port.elements.size());
+    const int size = std::max(port.width(), 1);
     for (int i = 0; size > 1 && i < size; ++i) channel.elements.push_back("e" + std::to_string(i));
     robot_.sensations.push_back(channel);
     text_ = "[[sensation]]\nid = \"" + id + "\"\nchannel = \"" + id + "\"\n" + text_;
@@ -65,7 +65,7 @@ class Drawing {
     for (const PortDescriptor& port : commander.ports) {
       if (port.role != PortRole::Command || !drives) continue;
       CommandChannel channel{"out", {}};
-      for (const std::string_view element : port.elements)
+      for (const std::string& element : element_names(port))
         channel.elements.push_back({std::string(element), "", -10, 10, 0});
       robot_.commands.push_back(channel);
       lines += "command = \"out\"\n";

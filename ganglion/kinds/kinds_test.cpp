@@ -50,7 +50,7 @@ TEST(EveryKind, SaysWhatItIsInBothLanguagesAndWhereItComesFrom) {
 TEST(EveryKind, NamesPortsAndParametersOnce) {
   for_each([](const Descriptor& kind) {
     std::set<std::string_view> ports, parameters = kReserved;
-    for (const PortDescriptor& port : common_outputs(kind.component_class)) ports.insert(port.name);
+    for (const PortDescriptor& port : common_outputs(kind)) ports.insert(port.name);
     for (const PortDescriptor& port : kind.ports) EXPECT_TRUE(ports.insert(port.name).second) << port.name;
     for (const ParameterDescriptor& parameter : kind.parameters) {
       EXPECT_TRUE(parameters.insert(parameter.name).second) << parameter.name;

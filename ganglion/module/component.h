@@ -7,7 +7,7 @@
 #include "ganglion/descriptor/parameters.h"
 #include "ganglion/module/exhibit.h"
 #include "ganglion/module/experience.h"
-#include "ganglion/module/feedback.h"
+#include "ganglion/module/tick/feedback.h"
 #include "ganglion/random/draws.h"
 
 namespace ganglion {
@@ -27,7 +27,7 @@ class Component : public Learner, public Exhibitor {
   Component(const Component&) = delete;
   Component& operator=(const Component&) = delete;
 
-  void bind(const Links& links) {
+  virtual void bind(const Links& links) {
     links_ = links;
     bound();
   }

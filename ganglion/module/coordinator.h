@@ -2,8 +2,8 @@
 
 #include <span>
 
-#include "ganglion/module/command.h"
 #include "ganglion/module/component.h"
+#include "ganglion/module/tick/command.h"
 
 namespace ganglion {
 
@@ -11,8 +11,10 @@ namespace ganglion {
 /// visible for every candidate.
 class Coordinator : public Component {
  public:
-  /// Fills shares[i] with the part that candidate i has in the result, in [0, 1]; 0 = overruled or inactive.
-  /// A candidate that is inactive or has withdrawn has no part.
+  /// shares[i] comes in as 0 and is left as the part that candidate i has in the result, in [0, 1]; 0 = overruled. A
+  /// candidate that is inactive or has withdrawn has no part, whatever is left there. From them follow the outputs that
+  /// every coordinator has, and what each candidate hears of its command (Feedback::share): only one that was carried
+  /// out whole and alone is learned from.
   virtual Command coordinate(const Feedback& feedback, std::span<const Command* const> candidates,
                              std::span<double> shares) noexcept = 0;
 };

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "ganglion/module/component.h"
-#include "ganglion/module/request.h"
+#include "ganglion/module/tick/request.h"
 
 namespace ganglion {
 
@@ -18,12 +18,18 @@ struct Bid {
 /// An intrinsic motivation of the controller (red in the GFM papers): asks, and is told what became of it.
 class GlobalGoal : public Component {
  public:
-  Bid bid(const Tick& tick) noexcept { return bid(Feedback{tick, links().inputs, true}); }
+  /// Makes up its mind, once a tick.
+  void decide(const Tick& tick) noexcept { wanted_ = bid(Feedback{tick, links().inputs}); }
+  /// What it wants since then.
+  const Bid& wanted() const noexcept { return wanted_; }
   /// Its request was satisfied or withdrawn.
   virtual void concluded(RequestStatus, const Reason&) noexcept {}
 
  protected:
   virtual Bid bid(const Feedback& feedback) noexcept = 0;
+
+ private:
+  Bid wanted_{};
 };
 
 using GlobalGoalKind = Kind<GlobalGoal>;

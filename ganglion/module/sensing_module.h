@@ -8,7 +8,7 @@ namespace ganglion {
 /// an appraisal it receives is the perception that an acting module expected for this tick.
 class SensingModule : public Component {
  public:
-  void cycle(const Tick& tick) noexcept { perceive(Feedback{tick, links().inputs, true}); }
+  void cycle(const Tick& tick) noexcept { perceive(Feedback{tick, links().inputs}); }
 
  protected:
   /// Writes every output(). Missing readings come in and go out after REP-117.

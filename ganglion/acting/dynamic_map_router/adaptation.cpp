@@ -78,7 +78,7 @@ void DynamicMapRouter::attend(const Feedback& feedback, double cost_j) noexcept 
     attempt_cost_j_ += cost_j;
     attempt_costed_ = true;
   }
-  if (!feedback.granted || tells_nothing(feedback)) attempt_.reset();
+  if (!feedback.granted() || tells_nothing(feedback)) attempt_.reset();
   locate(feedback);
 }
 

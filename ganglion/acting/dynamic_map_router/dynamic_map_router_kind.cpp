@@ -6,9 +6,9 @@
 namespace ganglion {
 namespace {
 
-constexpr std::array<std::string_view, 2> kColumnRow = {"column", "row"};
-constexpr std::array<std::string_view, 2> kXY = {"x", "y"};
-constexpr std::array<std::string_view, 2> kMotionDirection = {"motion", "direction"};
+constexpr std::array<ElementDescriptor, 2> kColumnRow = {"column", "row"};
+constexpr std::array<ElementDescriptor, 2> kXY = {"x", "y"};
+constexpr std::array<ElementDescriptor, 2> kMotionDirection = {"motion", "direction"};
 constexpr std::array<std::string_view, 2> kSecureBy = {"cost", "length"};
 
 constexpr PortDescriptor signal(std::string_view name, std::string_view unit, ValueType type, Text help) {

@@ -257,7 +257,7 @@ TEST(DynamicMapRouter, LearnsNothingFromAStepThatAnotherModuleOverruled) {
   drive.bench().ask({8, 5});
   drive.tick();
   bot.column = 5;
-  drive.module().grant(false);
+  drive.module().carried_out(0);
   drive.tick();
   EXPECT_EQ(drive.module().map().occupied(), 0);
 }

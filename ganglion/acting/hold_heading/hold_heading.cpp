@@ -95,7 +95,7 @@ Command HoldHeading::steer(double error_rad, double share) const noexcept {
 
 bool HoldHeading::displaced(const Feedback& feedback) const noexcept {
   const PortView& flags = feedback[kDisplacedBy];
-  if (!flags.wired()) return !feedback.granted;
+  if (!flags.wired()) return !feedback.granted();
   return std::any_of(flags.values.begin(), flags.values.end(), [](double flag) { return flag > 0; });
 }
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "ganglion/module/command.h"
+#include "ganglion/module/tick/command.h"
 
 namespace ganglion {
 

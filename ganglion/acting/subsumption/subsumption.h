@@ -9,7 +9,7 @@
 #include "ganglion/base/result.h"
 #include "ganglion/descriptor/descriptor.h"
 #include "ganglion/descriptor/parameters.h"
-#include "ganglion/module/command.h"
+#include "ganglion/module/tick/command.h"
 
 /// What the behaviours of a tracked robot with two front sonars share (Alonso's Nimrod).
 namespace ganglion::subsumption {
@@ -63,7 +63,7 @@ inline constexpr ParameterDescriptor kOneSonarShareParameter{
     .help = {"Share of the speed ahead while one sonar is dead", "Parte de la velocidad de avance con un sonar muerto"},
     .ours = true};
 
-inline constexpr std::array<std::string_view, 2> kTrackElements = {"left", "right"};
+inline constexpr std::array<ElementDescriptor, 2> kTrackElements = {"left", "right"};
 
 inline constexpr PortDescriptor kTracksPort{
     .name = "tracks",

@@ -5,8 +5,6 @@
 namespace ganglion {
 namespace {
 
-enum Output : std::size_t { kActive, kShare, kWanted, kSuppressed };
-
 constexpr std::array kPorts = {
     PortDescriptor{
         .name = "commands",
@@ -20,26 +18,6 @@ constexpr std::array kPorts = {
                    .unit = "*",
                    .size = 0,
                    .help = {"The winner's command", "El mando del ganador"}},
-    PortDescriptor{
-        .name = "active",
-        .role = PortRole::Output,
-        .type = ValueType::Discrete,
-        .help = {"Index of the candidate that drives, -1 = none", "Índice del candidato que conduce, -1 = ninguno"}},
-    PortDescriptor{.name = "share",
-                   .role = PortRole::Output,
-                   .many = true,
-                   .help = {"Part of each candidate in the result", "Parte de cada candidato en el resultado"}},
-    PortDescriptor{.name = "wanted",
-                   .role = PortRole::Output,
-                   .type = ValueType::Discrete,
-                   .many = true,
-                   .help = {"1 while a candidate wants to drive", "1 mientras un candidato quiere conducir"}},
-    PortDescriptor{.name = "suppressed",
-                   .role = PortRole::Output,
-                   .type = ValueType::Discrete,
-                   .many = true,
-                   .help = {"1 while a candidate wants to drive and does not",
-                            "1 mientras un candidato quiere conducir y no lo hace"}},
 };
 
 /// What is commanded when no candidate acts.
@@ -56,18 +34,12 @@ Result<std::unique_ptr<Coordinator>> Priority::make(const Parameters&) { return 
 
 Command Priority::coordinate(const Feedback&, std::span<const Command* const> candidates,
                              std::span<double> shares) noexcept {
-  constexpr auto kNobody = static_cast<std::size_t>(-1);
-  std::size_t winner = kNobody;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const bool wants = candidates[i]->kind == CommandKind::Act;
-    if (wants && winner == kNobody) winner = i;
-    shares[i] = winner == i ? 1 : 0;
-    output(kShare)[i] = shares[i];
-    output(kWanted)[i] = wants ? 1 : 0;
-    output(kSuppressed)[i] = wants && winner != i ? 1 : 0;
+    if (candidates[i]->kind != CommandKind::Act) continue;
+    shares[i] = 1;
+    return *candidates[i];
   }
-  put(kActive, winner == kNobody ? -1 : static_cast<double>(winner));
-  return winner == kNobody ? nobody(candidates) : *candidates[winner];
+  return nobody(candidates);
 }
 
 extern constinit const CoordinatorKind priority_kind{

@@ -11,8 +11,6 @@ namespace ganglion {
 /// Candidate commands, in falling priority.
 /// Command   the winner's, with its time to live; where nobody commands inactive, and where all have withdrawn the
 ///           first one's withdrawal.
-/// Output    active: index of the winner, -1 = none; for each candidate share (1 of the winner, else 0), wanted (1
-///           while it commands), suppressed (1 while it commands and does not drive).
 /// Source    Alonso, "Desarrollo de un robot con arquitectura de subsuncion (robot Nimrod)", sections 2 and 3;
 ///           R. Brooks, "A robust layered control system for a mobile robot" (1986).
 class Priority final : public Coordinator {

@@ -15,7 +15,8 @@ class Trainer {
  public:
   Trainer() : ports(app_kind.descriptor, {"request:2"}), goal(0, 1) { goal.bind(ports.links()); }
   std::vector<double> wish() {
-    const Bid bid = static_cast<GlobalGoal&>(goal).bid(Tick{});
+    static_cast<GlobalGoal&>(goal).decide(Tick{});
+    const Bid& bid = goal.wanted();
     replaces = bid.replaces;
     return {bid.values.begin(), bid.values.end()};
   }

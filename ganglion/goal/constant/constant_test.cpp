@@ -16,7 +16,8 @@ TEST(ConstantGoal, WantsItsValuesAtEveryTickWhateverBecomesOfThem) {
   parameters.set("intensity", 0.5);
   const auto goal = constant_kind.make(parameters).value();
   for (int i = 0; i < 2; ++i) {
-    const Bid bid = goal->bid(Tick{});
+    goal->decide(Tick{});
+    const Bid& bid = goal->wanted();
     EXPECT_EQ(std::vector<double>(bid.values.begin(), bid.values.end()), (std::vector<double>{7, -2.5}));
     EXPECT_EQ(bid.priority_class, 2);
     EXPECT_EQ(bid.intensity, 0.5);

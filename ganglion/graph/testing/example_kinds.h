@@ -8,8 +8,8 @@
 /// A few small kinds and a robot, for the tests of what the graph says and accepts. They do next to nothing.
 namespace ganglion::example {
 
-inline constexpr std::array<std::string_view, 2> kPlane = {"x", "y"};
-inline constexpr std::array<std::string_view, 2> kTracks = {"left", "right"};
+inline constexpr std::array<ElementDescriptor, 2> kPlane = {"x", "y"};
+inline constexpr std::array<ElementDescriptor, 2> kTracks = {"left", "right"};
 inline constexpr std::array<std::string_view, 3> kSides = {"left", "right", "freer"};
 inline constexpr std::array<double, 2> kOrigin = {0, 0};
 
@@ -69,7 +69,6 @@ inline constexpr std::array kGoToPorts = {
     PortDescriptor{.name = "drive", .role = PortRole::Command, .elements = kTracks}};
 inline constexpr std::array kFirstPorts = {
     PortDescriptor{.name = "commands", .role = PortRole::Candidate, .unit = "*", .size = 0, .many = true},
-    PortDescriptor{.name = "share", .role = PortRole::Output, .many = true},
     PortDescriptor{.name = "command", .role = PortRole::Command, .unit = "*", .size = 0}};
 
 inline constexpr SensingModuleKind kNearest = {

@@ -9,9 +9,6 @@ namespace {
 constexpr std::array kPorts = {
     PortDescriptor{.name = "commands", .role = PortRole::Candidate, .unit = "*", .size = 0, .many = true},
     PortDescriptor{.name = "out", .role = PortRole::Command, .unit = "*", .size = 0},
-    PortDescriptor{.name = "share", .role = PortRole::Output, .many = true},
-    PortDescriptor{.name = "wanted", .role = PortRole::Output, .many = true},
-    PortDescriptor{.name = "suppressed", .role = PortRole::Output, .many = true},
     PortDescriptor{.name = "granted", .role = PortRole::Output},
 };
 constexpr std::array kParameters = {ParameterDescriptor{.name = "generous", .type = ParameterType::Boolean}};
@@ -32,11 +29,8 @@ class First final : public Coordinator {
       const bool drives = wanted && result.kind != CommandKind::Act;
       if (drives) result = *candidates[i];
       shares[i] = drives || generous_ ? 1 : 0;
-      output(0)[i] = shares[i];
-      output(1)[i] = wanted ? 1 : 0;
-      output(2)[i] = wanted && !drives ? 1 : 0;
     }
-    put(3, feedback.granted ? 1 : 0);
+    put(0, feedback.granted() ? 1 : 0);
     return result;
   }
 

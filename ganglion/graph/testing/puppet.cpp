@@ -30,7 +30,7 @@ class Puppet final : public ActingModule {
   }
   Command internal_propagation(const Request&, const Feedback& feedback) noexcept override {
     output(kCycles)[0] += 1;
-    put(kGranted, feedback.granted ? 1 : 0);
+    put(kGranted, feedback.granted() ? 1 : 0);
     if (feedback.value(kAct) == 2) return Command::withdraw({ReasonCode::NoReading, 1, 2.5});
     if (feedback.value(kAct) != 1) return Command::inactive();
     Command command = Command::act(feedback[kValue].values);

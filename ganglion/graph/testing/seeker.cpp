@@ -75,7 +75,7 @@ class Seeker final : public ActingModule {
   }
   Command internal_propagation(const Request& request, const Feedback& feedback) noexcept override {
     output(kCycles)[0] += 1;
-    put(kGranted, feedback.granted ? 1 : 0);
+    put(kGranted, feedback.granted() ? 1 : 0);
     output(kFresh)[0] += request.fresh ? 1 : 0;
     put(kTold, static_cast<double>(feedback.reason.code));
     put(kOutcome, static_cast<double>(feedback.outcome));

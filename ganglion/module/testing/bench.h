@@ -140,7 +140,7 @@ class ActingBench : public Bench<ActingModule> {
   /// One tick; the last command is said to have cost 1 J and to have been carried out unless `granted` is false.
   Command step(double step_s, bool granted = true) {
     const Tick now = begin(step_s);
-    product().grant(granted);
+    product().carried_out(granted ? 1 : 0);
     product().settle(1.0);
     product().cycle(now);
     end();

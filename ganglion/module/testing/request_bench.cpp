@@ -75,7 +75,7 @@ RequestBench::RequestBench(ActingModule& module, const Descriptor& descriptor,
   for (const PortDescriptor& port : descriptor.ports) {
     if (port.role != PortRole::Feedback) continue;
     joints_.satisfied_by = ports_.input_index(port.name);
-    joints_.circular = port.type == ValueType::Circular;
+    joints_.comparison = Comparison::within(0, port.type == ValueType::Circular);
     break;
   }
   module.bind(ports_.links());
@@ -85,6 +85,11 @@ RequestBench::RequestBench(ActingModule& module, const Descriptor& descriptor,
 
 void RequestBench::join_below(RequestSlot& below) {
   joints_.below = &below;
+  module_->join(joints_);
+}
+
+void RequestBench::join_likes(std::span<const ReasonCode> likes) {
+  joints_.likes = likes;
   module_->join(joints_);
 }
 

@@ -49,6 +49,8 @@ class RequestBench {
   RequestSlot& request() noexcept { return request_; }
   /// Puts a slot below the module: its commands become requests there instead of going to the application.
   void join_below(RequestSlot& below);
+  /// The common reasons that its own are cases of.
+  void join_likes(std::span<const ReasonCode> likes);
   void ask(std::initializer_list<double> values) { request_.ask({values.begin(), values.size()}); }
   /// One tick; `cost` is that of the last command, absent in a first frame.
   const Command& tick(std::optional<double> cost);

@@ -39,8 +39,8 @@ void GridCell::perceive(const Feedback& feedback) noexcept {
 
 namespace {
 
-constexpr std::array<std::string_view, 2> kXY = {"x", "y"};
-constexpr std::array<std::string_view, 2> kColumnRow = {"column", "row"};
+constexpr std::array<ElementDescriptor, 2> kXY = {"x", "y"};
+constexpr std::array<ElementDescriptor, 2> kColumnRow = {"column", "row"};
 
 constexpr std::array kPorts = {
     PortDescriptor{.name = "position",

@@ -1,7 +1,7 @@
 #include <array>
 
 #include "ganglion/base/text.h"
-#include "ganglion/module/command.h"
+#include "ganglion/module/tick/command.h"
 #include "ganglion/sim/robot/robot_reader.h"
 
 namespace ganglion::sim {

@@ -90,7 +90,7 @@ void describe_channels(const SensorModel& sensor, const Sensor& device, RobotDes
     description.sensations.push_back({.name = sensor.id + "." + std::string(port.name),
                                       .unit = std::string(port.unit),
                                       .type = port.type,
-                                      .elements = {port.elements.begin(), port.elements.end()},
+                                      .elements = element_names(port),
                                       .min = limits.min,
                                       .max = limits.max,
                                       .period_s = sensor.period_s,

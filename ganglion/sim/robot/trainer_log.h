@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "ganglion/module/command.h"
+#include "ganglion/module/tick/command.h"
 #include "ganglion/sim/world/way/cell_grid.h"
 
 namespace ganglion::sim {

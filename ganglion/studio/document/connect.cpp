@@ -45,7 +45,7 @@ class Trial {
 
   Connection run(const std::string& from, int component, int port) {
     const ComponentModel& to = drawing_.unresolved.components[static_cast<std::size_t>(component)];
-    const PortDescriptor& input = to.descriptor->ports[static_cast<std::size_t>(port)];
+    const PortDescriptor& input = to.ports()[static_cast<std::size_t>(port)];
     Connection connection{to.id, std::string(input.name), from, {}};
     if (!drawing_.robot) {
       connection.reasons.push_back(
@@ -145,7 +145,7 @@ std::string shape_of(const ComponentModel& giver, const OutputShape* output) {
 }
 
 bool is_input_of(const ComponentModel& component, std::size_t port) {
-  return is_input(component.component_class, component.descriptor->ports[port].role);
+  return is_input(component.component_class, component.ports()[port].role);
 }
 
 /// Whether all components of a kind take or refuse a source at this port for the same reasons: the checks then look at
@@ -178,7 +178,7 @@ Connection may_connect(const Drawing& drawing, const std::string& from, const st
             port, component);
     return {component, port, from, {reason}};
   }
-  return Trial(drawing).run(from, index, static_cast<int>(input - to->descriptor->ports.data()));
+  return Trial(drawing).run(from, index, static_cast<int>(input - to->ports().data()));
 }
 
 std::vector<Connection> targets_of(const Drawing& drawing, const std::string& from) {
@@ -191,8 +191,8 @@ std::vector<Connection> targets_of(const Drawing& drawing, const std::string& fr
   for (std::size_t i = 0; i < drawing.unresolved.components.size(); ++i) {
     const ComponentModel& component = drawing.unresolved.components[i];
     if (component.descriptor == nullptr) continue;
-    for (std::size_t p = 0; p < component.descriptor->ports.size(); ++p) {
-      const PortDescriptor& port = component.descriptor->ports[p];
+    for (std::size_t p = 0; p < component.ports().size(); ++p) {
+      const PortDescriptor& port = component.ports()[p];
       if (!is_input_of(component, p)) continue;
       const bool shared =
           same_for_its_kind(port, source, from) && !upstream[i] && !wired_to(component, static_cast<int>(p), from);
@@ -215,7 +215,7 @@ std::vector<Connection> sources_for(const Drawing& drawing, const std::string& c
   const PortDescriptor* input = to != nullptr && to->descriptor != nullptr ? to->descriptor->port(port) : nullptr;
   if (input == nullptr || !is_input(to->component_class, input->role)) return result;
   Trial trial(drawing);
-  const auto position = static_cast<int>(input - to->descriptor->ports.data());
+  const auto position = static_cast<int>(input - to->ports().data());
   const std::vector<bool> downstream = downstream_of(drawing.model, index);
   std::map<std::string, std::vector<Sentence>> known;  // reasons by what of a giver they depend on
   const auto offer = [&](std::size_t giver, const OutputShape* output, const std::string& text) {

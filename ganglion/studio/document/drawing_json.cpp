@@ -80,10 +80,21 @@ void write_value(JsonText& json, const Parameters& parameters, const ParameterDe
   }
 }
 
+/// One number as it is, several as a list.
+void write_numbers(JsonText& json, const std::vector<double>& values) {
+  if (values.size() == 1) {
+    json.value(values.front());
+    return;
+  }
+  json.begin_list();
+  for (const double value : values) json.value(value);
+  json.end_list();
+}
+
 void write_inputs(JsonText& json, const ComponentModel& component) {
   json.key("inputs").begin_list();
   for (const Wire& wire : component.wires) {
-    const PortDescriptor& port = component.descriptor->ports[static_cast<std::size_t>(wire.port)];
+    const PortDescriptor& port = component.ports()[static_cast<std::size_t>(wire.port)];
     json.begin_object().member("port", port.name).key("wires").begin_list();
     for (const Source& source : wire.sources) {
       const bool ok = source.kind != Source::Kind::Unresolved;
@@ -110,9 +121,9 @@ void write_outputs(JsonText& json, const ComponentModel& component) {
   if (component.outputs.empty() && component.descriptor == nullptr) {
     write_output(json, "", "", ValueType::Real, std::vector<std::string>{});
   } else if (component.outputs.empty()) {
-    for (const PortDescriptor& port : component.descriptor->ports) {
+    for (const PortDescriptor& port : component.ports()) {
       if (port.role != PortRole::Output && port.role != PortRole::Appraisal) continue;
-      write_output(json, port.name, port.unit, port.type, port.elements);
+      write_output(json, port.name, port.unit, port.type, element_names(port));
     }
   }
   json.end_list();
@@ -211,7 +222,7 @@ class ComponentWriter {
     if (parameter != nullptr) {
       write_value(json_, component.parameters, *parameter);
     } else if (key.name == "tolerance") {
-      json_.value(component.tolerance);
+      write_numbers(json_, component.tolerance);
     } else {
       json_.value(component.preemption);
     }

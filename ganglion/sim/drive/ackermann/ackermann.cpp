@@ -10,7 +10,7 @@
 namespace ganglion::sim {
 namespace {
 
-constexpr std::array<std::string_view, 2> kElements = {"throttle", "steering"};
+constexpr std::array<ElementDescriptor, 2> kElements = {"throttle", "steering"};
 constexpr std::array kPorts = {
     PortDescriptor{.name = "drive",
                    .role = PortRole::Command,

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kTurnToleranceRad = 1e-6;  // so that 45 deg that went through rounding still are 45 deg
 
-constexpr std::array<std::string_view, 2> kElements = {"motion", "direction"};
+constexpr std::array<ElementDescriptor, 2> kElements = {"motion", "direction"};
 constexpr std::array kPorts = {
     PortDescriptor{
         .name = "step",

@@ -5,7 +5,7 @@
 namespace ganglion::sim {
 namespace {
 
-constexpr std::array<std::string_view, 2> kSides = {"left", "right"};
+constexpr std::array<ElementDescriptor, 2> kSides = {"left", "right"};
 constexpr std::array kPorts = {
     PortDescriptor{.name = "drive",
                    .role = PortRole::Command,

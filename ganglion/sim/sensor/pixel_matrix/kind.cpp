@@ -4,7 +4,7 @@ namespace ganglion::sim {
 namespace {
 
 // Row from the top and column from the left.
-constexpr std::array<std::string_view, 64> kPixels = {
+constexpr std::array<ElementDescriptor, 64> kPixels = {
     "r0c0", "r0c1", "r0c2", "r0c3", "r0c4", "r0c5", "r0c6", "r0c7", "r1c0", "r1c1", "r1c2", "r1c3", "r1c4",
     "r1c5", "r1c6", "r1c7", "r2c0", "r2c1", "r2c2", "r2c3", "r2c4", "r2c5", "r2c6", "r2c7", "r3c0", "r3c1",
     "r3c2", "r3c3", "r3c4", "r3c5", "r3c6", "r3c7", "r4c0", "r4c1", "r4c2", "r4c3", "r4c4", "r4c5", "r4c6",

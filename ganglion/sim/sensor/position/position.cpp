@@ -5,7 +5,7 @@
 namespace ganglion::sim {
 namespace {
 
-constexpr std::array<std::string_view, 2> kCoordinates = {"x", "y"};
+constexpr std::array<ElementDescriptor, 2> kCoordinates = {"x", "y"};
 constexpr std::array kPorts = {
     PortDescriptor{.name = "position",
                    .role = PortRole::Output,

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t kMaxGoals = 10000;
 
-constexpr std::array<std::string_view, 2> kCell = {"column", "row"};
+constexpr std::array<ElementDescriptor, 2> kCell = {"column", "row"};
 constexpr std::array kPorts = {
     PortDescriptor{.name = "goal",
                    .role = PortRole::Output,

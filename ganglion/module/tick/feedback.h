@@ -3,8 +3,8 @@
 #include <limits>
 #include <span>
 
-#include "ganglion/module/request.h"
-#include "ganglion/module/tick.h"
+#include "ganglion/module/tick/request.h"
+#include "ganglion/module/tick/tick.h"
 
 namespace ganglion {
 
@@ -19,11 +19,15 @@ struct PortView {
 struct Feedback {
   Tick tick{};
   std::span<const PortView> ports{};
-  /// Whether the last command was carried out: neither overruled by another module nor broken off by a new request.
-  bool granted = true;
+  /// What part of the last command was carried out, in [0, 1]: the product of its shares in all commands on its way; 0
+  /// where another module overruled it, or a new request broke it off.
+  double share = 1;
   /// What became of the last command where it was a request to a module below; None where it went to the application.
   RequestStatus outcome = RequestStatus::None;
   Reason reason{};  ///< Why the module below gave up, when `outcome` is Withdrawn.
+
+  /// All of the last command was carried out, and it alone: what came of it may be learned from.
+  bool granted() const noexcept { return share == 1; }
 
   const PortView& operator[](std::size_t port) const noexcept { return ports[port]; }
   /// First value of a port; NaN where nothing is wired, so that an optional port reads as a dead sensor.
@@ -32,7 +36,7 @@ struct Feedback {
   }
 };
 
-/// Energy the last command took [J].
+/// What the last command cost, in the application's own unit: of simulated robots energy [J].
 struct Cost {
   double value = 0;
 };

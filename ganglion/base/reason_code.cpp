@@ -1,8 +1,4 @@
-#include "ganglion/module/command.h"
-
-#include <algorithm>
-
-#include "ganglion/base/expects.h"
+#include "ganglion/base/reason_code.h"
 
 namespace ganglion {
 
@@ -25,23 +21,7 @@ std::string_view name_of(ReasonCode code) noexcept {
     case ReasonCode::Preempted:
       return "preempted";
   }
-  return "?";
-}
-
-Command Command::act(std::span<const double> values) noexcept {
-  expects(values.size() <= kMaxCommandValues);
-  Command command;
-  command.kind = CommandKind::Act;
-  command.size = static_cast<int>(values.size());
-  std::copy(values.begin(), values.end(), command.values.begin());
-  return command;
-}
-
-Command Command::withdraw(Reason reason) noexcept {
-  Command command;
-  command.kind = CommandKind::Withdraw;
-  command.reason = reason;
-  return command;
+  return is_own(code) ? "own" : "?";
 }
 
 }  // namespace ganglion

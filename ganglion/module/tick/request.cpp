@@ -1,4 +1,4 @@
-#include "ganglion/module/request.h"
+#include "ganglion/module/tick/request.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,14 +32,25 @@ void RequestSlot::withdraw(const Reason& why) noexcept {
   reason = why;
 }
 
-bool equal_within(std::span<const double> reading, std::span<const double> request, double tolerance,
-                  bool circular) noexcept {
-  if (reading.size() != request.size() || reading.empty()) return false;
+void RequestSlot::keep_asking(std::span<const double> wanted, double for_s) noexcept {
+  ttl_s = for_s;
+  const std::span<const double> now = span();
+  const bool same = std::equal(wanted.begin(), wanted.end(), now.begin(), now.end());
+  if (status != RequestStatus::Pending || !same) ask(wanted);
+}
+
+bool equal_within(std::span<const double> reading, std::span<const double> sought, const Comparison& how) noexcept {
+  if (reading.size() != sought.size() || reading.empty()) return false;
   for (std::size_t i = 0; i < reading.size(); ++i) {
-    const double difference = circular ? wrap_rad(reading[i] - request[i]) : reading[i] - request[i];
-    if (!(std::fabs(difference) <= tolerance)) return false;
+    const double difference = how.circular[i] ? wrap_rad(reading[i] - sought[i]) : reading[i] - sought[i];
+    if (!(std::fabs(difference) <= how.tolerance[i])) return false;
   }
   return true;
+}
+
+void Sought::set(std::span<const double> wanted) noexcept {
+  size = static_cast<int>(std::min(wanted.size(), values.size()));
+  std::copy_n(wanted.begin(), size, values.begin());
 }
 
 }  // namespace ganglion

@@ -2,10 +2,11 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 
-#include "ganglion/module/command.h"
+#include "ganglion/module/tick/command.h"
 
 namespace ganglion {
 
@@ -26,14 +27,20 @@ struct RequestSlot {
   int size = 0;
   std::uint32_t serial = 0;  ///< Counts the requests made.
   Reason reason{};           ///< Of a withdrawal.
-  double cost = 0;           ///< Sum over the ticks since the request was made [J].
+  double cost = 0;           ///< Sum over the ticks since the request was made; of a standing one of the last tick.
   bool has_cost = false;
   std::uint32_t ticks = 0;  ///< Ticks since the request was made.
   int width = 0;            ///< Values that a request must have; 0 = any number of them.
+  /// A set-point: never satisfied, replaced whenever other values are asked; nobody above waits for it.
+  bool standing = false;
+  double ttl_s = std::numeric_limits<double>::infinity();  ///< Of a standing one: what is done for it lapses then.
 
   /// Makes a new request. One that is not of the width or not all numbers is withdrawn on the spot, as BadRequest: no
   /// module ever sees it.
   void ask(std::span<const double> wanted) noexcept;
+  /// What a command or a bid of the present tick asks. A standing request, and any that a coordinator passes on, is
+  /// made anew only where the values differ or it has ended.
+  void keep_asking(std::span<const double> wanted, double for_s) noexcept;
   /// Nothing is asked any more.
   void clear() noexcept;
   /// The module gives up, or the one above that asked does.
@@ -42,9 +49,28 @@ struct RequestSlot {
   std::optional<double> total_cost() const noexcept { return has_cost ? std::optional<double>(cost) : std::nullopt; }
 };
 
-/// Whether a reading equals a request, element by element, within a tolerance; angles compare round the turn.
-/// A missing reading equals nothing.
-bool equal_within(std::span<const double> reading, std::span<const double> request, double tolerance,
-                  bool circular) noexcept;
+/// How a reading is held against what is sought, element by element.
+struct Comparison {
+  std::array<double, kMaxCommandValues> tolerance{};
+  std::array<bool, kMaxCommandValues> circular{};  ///< Angles: differences go round the turn.
+
+  static Comparison within(double tolerance, bool circular = false) noexcept {
+    Comparison all;
+    all.tolerance.fill(tolerance);
+    all.circular.fill(circular);
+    return all;
+  }
+};
+
+/// Whether a reading equals what is sought. A missing reading equals nothing.
+bool equal_within(std::span<const double> reading, std::span<const double> sought, const Comparison& how) noexcept;
+
+/// What the first Feedback port of a module must equal for its request to be satisfied.
+struct Sought {
+  std::array<double, kMaxCommandValues> values{};
+  int size = 0;
+  void set(std::span<const double> wanted) noexcept;
+  std::span<const double> span() const noexcept { return {values.data(), static_cast<std::size_t>(size)}; }
+};
 
 }  // namespace ganglion

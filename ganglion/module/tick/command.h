@@ -4,30 +4,21 @@
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <string_view>
+
+#include "ganglion/base/reason_code.h"
 
 namespace ganglion {
-
-/// Why a module gave up. Words for people in both languages: describe().
-enum class ReasonCode : std::uint16_t {
-  None = 0,
-  Unreachable,        ///< No route is left, every one was tried. Arguments: tries, rounds.
-  Trapped,            ///< Cannot move in any direction. Arguments: column, row.
-  OutsideMap,         ///< The request lies beyond what the module may remember. Arguments: column, row.
-  BadRequest,         ///< The request is not a number or not of the kind. Arguments: the first two values.
-  NoReading,          ///< A required sensation has been silent for too long. Arguments: port, seconds.
-  AttemptsExhausted,  ///< Every way of doing the step failed. Arguments: attempts, level.
-  Preempted,          ///< A goal of a higher class took the module. Arguments: the goals' indices.
-};
 
 struct Reason {
   ReasonCode code = ReasonCode::None;
   double first = 0;
   double second = 0;
-};
+  /// Of a kind's own reason the common one that it is a case of; filled in as it is sent.
+  ReasonCode like = ReasonCode::None;
 
-/// "unreachable: no route is left after 3 rounds", in English or Spanish.
-std::string_view name_of(ReasonCode) noexcept;
+  /// As who knows nothing of the kind understands it.
+  Reason common() const noexcept { return is_own(code) ? Reason{like, first, second} : *this; }
+};
 
 enum class CommandKind : std::uint8_t {
   Inactive,  ///< Nothing to command: the next candidate drives, or the safe value is taken.
