@@ -178,6 +178,7 @@ std::vector<double> Table::numbers(std::string_view key, std::vector<double> pre
   const Value* found = value(key);
   if (found == nullptr) return preset;
   const Array* items = found->array();
+  if (count == 0 && as_number(*found)) return {checked(key, *found, 0, range)};
   if (items == nullptr) {
     wrong_type(key, *found,
                count != 0 ? say({"a list of {} numbers", "una lista de {} números"}, count)

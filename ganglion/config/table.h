@@ -47,7 +47,7 @@ class Table {
   std::string text(std::string_view key);
   /// One of `choices`; gives its index.
   int choice(std::string_view key, std::span<const std::string_view> choices, int preset);
-  /// `count` numbers (0 = any number of them).
+  /// `count` numbers (0 = any number of them: one may stand without brackets).
   std::vector<double> numbers(std::string_view key, std::vector<double> preset, std::size_t count = 0,
                               const Range& range = {});
   std::vector<std::string> texts(std::string_view key);

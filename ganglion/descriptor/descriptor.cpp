@@ -7,69 +7,81 @@ namespace {
 
 constexpr std::array kStandingOutputs = {
     PortDescriptor{.name = "active",
-                   .role = PortRole::Output,
-                   .type = ValueType::Discrete,
+                   .title = {"active", "activo"},
                    .help = {"1 while the module commands, 0 while it is inactive, waits or has withdrawn",
-                            "1 mientras el módulo manda; 0 si está inactivo, espera o se ha retirado"}},
+                            "1 mientras el módulo manda; 0 si está inactivo, espera o se ha retirado"},
+                   .role = PortRole::Output,
+                   .type = ValueType::Discrete},
     PortDescriptor{.name = "status",
-                   .role = PortRole::Output,
-                   .type = ValueType::Discrete,
+                   .title = {"status", "estado"},
                    .help = {"State of the request: 0 none, 1 pending, 2 satisfied, 3 withdrawn",
-                            "Estado de la solicitud: 0 ninguna, 1 pendiente, 2 satisfecha, 3 retirada"}},
-    PortDescriptor{.name = "reason",
+                            "Estado de la solicitud: 0 ninguna, 1 pendiente, 2 satisfecha, 3 retirada"},
                    .role = PortRole::Output,
-                   .type = ValueType::Discrete,
+                   .type = ValueType::Discrete},
+    PortDescriptor{.name = "reason",
+                   .title = {"reason", "motivo"},
                    .help = {"Why the last request was withdrawn: 0 not withdrawn, else a reason code",
-                            "Motivo de la última retirada: 0 sin retirada; si no, un código"}},
+                            "Motivo de la última retirada: 0 sin retirada; si no, un código"},
+                   .role = PortRole::Output,
+                   .type = ValueType::Discrete},
     PortDescriptor{
         .name = "settled",
+        .title = {"settled", "mantenida"},
+        .help = {"1 while the set-point asked for counts as held", "1 mientras la consigna pedida se mantiene"},
         .role = PortRole::Output,
         .type = ValueType::Discrete,
-        .derived = true,
-        .help = {"1 while the set-point asked for counts as held", "1 mientras la consigna pedida se mantiene"}},
+        .derived = true},
 };
 constexpr std::span kActingOutputs = std::span<const PortDescriptor>(kStandingOutputs).first(3);
 
 constexpr std::array kCoordinatorOutputs = {
     PortDescriptor{.name = "active",
-                   .role = PortRole::Output,
-                   .type = ValueType::Discrete,
+                   .title = {"driving", "conduce"},
                    .help = {"Index of the candidate that drives, or has the largest part; -1 = none",
-                            "Índice del candidato que conduce, o tiene la parte mayor; -1 = ninguno"}},
+                            "Índice del candidato que conduce, o tiene la parte mayor; -1 = ninguno"},
+                   .role = PortRole::Output,
+                   .type = ValueType::Discrete},
     PortDescriptor{.name = "share",
+                   .title = {"share", "parte"},
+                   .help = {"Part of each candidate in the result", "Parte de cada candidato en el resultado"},
                    .role = PortRole::Output,
                    .many = true,
-                   .help = {"Part of each candidate in the result", "Parte de cada candidato en el resultado"}},
+                   .meaning = Meaning::Share},
     PortDescriptor{.name = "wanted",
+                   .title = {"wanted", "querido"},
+                   .help = {"1 while a candidate wants to drive", "1 mientras un candidato quiere conducir"},
                    .role = PortRole::Output,
                    .type = ValueType::Discrete,
-                   .many = true,
-                   .help = {"1 while a candidate wants to drive", "1 mientras un candidato quiere conducir"}},
+                   .many = true},
     PortDescriptor{.name = "suppressed",
+                   .title = {"suppressed", "suprimido"},
+                   .help = {"1 while a candidate wants to drive and has no part",
+                            "1 mientras un candidato quiere conducir y no tiene parte"},
                    .role = PortRole::Output,
                    .type = ValueType::Discrete,
-                   .many = true,
-                   .help = {"1 while a candidate wants to drive and has no part",
-                            "1 mientras un candidato quiere conducir y no tiene parte"}},
+                   .many = true},
 };
 
 constexpr std::array kGoalOutputs = {
     PortDescriptor{.name = "intensity",
-                   .role = PortRole::Output,
-                   .derived = true,
+                   .title = {"intensity", "intensidad"},
                    .help = {"How strongly it wants what it asks for; 0 = it wants nothing",
-                            "Con cuánta fuerza quiere lo que pide; 0 = no quiere nada"}},
+                            "Con cuánta fuerza quiere lo que pide; 0 = no quiere nada"},
+                   .role = PortRole::Output,
+                   .derived = true},
     PortDescriptor{.name = "holds",
+                   .title = {"holds", "en curso"},
+                   .help = {"1 while a request of it is under way", "1 mientras una solicitud suya está en curso"},
                    .role = PortRole::Output,
                    .type = ValueType::Discrete,
-                   .derived = true,
-                   .help = {"1 while a request of it is under way", "1 mientras una solicitud suya está en curso"}},
+                   .derived = true},
     PortDescriptor{
         .name = "rests_s",
+        .title = {"rests", "calla"},
+        .help = {"How long it keeps still yet after a Withdrawal", "Cuánto calla todavía después de una retirada"},
         .role = PortRole::Output,
         .unit = "s",
-        .derived = true,
-        .help = {"How long it keeps still yet after a Withdrawal", "Cuánto calla todavía después de una retirada"}},
+        .derived = true},
 };
 
 template <class Item>
@@ -83,8 +95,8 @@ const Item* find(std::span<const Item> items, std::string_view name) noexcept {
 }  // namespace
 
 std::string_view name_of(ComponentClass component_class) noexcept {
-  constexpr std::array<std::string_view, 8> kNames = {"sensation",   "sensing", "goal",  "acting",
-                                                      "coordinator", "sensor",  "drive", "plant"};
+  constexpr std::array<std::string_view, 9> kNames = {"sensation", "sensing", "goal",  "acting", "coordinator",
+                                                      "sensor",    "drive",   "plant", "measure"};
   return kNames[static_cast<std::size_t>(component_class)];
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -9,12 +8,14 @@
 
 #include "ganglion/base/reason_code.h"
 #include "ganglion/base/sentence.h"
+#include "ganglion/descriptor/meaning.h"
+#include "ganglion/descriptor/parameter.h"
 
 namespace ganglion {
 
 /// What a described kind is part of. The first five are drawn in a controller (colours in studio.md); the rest make up
 /// simulated applications.
-enum class ComponentClass { Sensation, Sensing, Goal, Acting, Coordinator, Sensor, Drive, Plant };
+enum class ComponentClass { Sensation, Sensing, Goal, Acting, Coordinator, Sensor, Drive, Plant, Measure };
 
 /// The class as written in files and JSON: "sensation", "sensing", "goal", "acting", "coordinator", "sensor"...
 std::string_view name_of(ComponentClass) noexcept;
@@ -39,16 +40,19 @@ std::string_view name_of(PortRole) noexcept;
 
 /// One value of a port that has several, as in {x [m], y [m], approach [rad, circular]}.
 struct ElementDescriptor {
-  constexpr ElementDescriptor(const char* name, std::string_view unit = "*",  // NOLINT(google-explicit-constructor)
-                              std::optional<ValueType> type = {}) noexcept
-      : name(name), unit(unit), type(type) {}
+  constexpr ElementDescriptor(const char* called,
+                              std::string_view its_unit = "*",  // NOLINT(google-explicit-constructor)
+                              std::optional<ValueType> its_type = {}) noexcept
+      : name(called), unit(its_unit), type(its_type) {}
   std::string_view name;
   std::string_view unit;          ///< "*" = the port's.
   std::optional<ValueType> type;  ///< None = the port's.
 };
 
 struct PortDescriptor {
-  std::string_view name;
+  std::string_view name;  ///< As written in files: "left".
+  Text title;             ///< Its name for people: "left range".
+  Text help;
   PortRole role = PortRole::Feedback;
   std::string_view unit = "";  ///< SI, "" = dimensionless, "*" = whatever is wired (see size).
   ValueType type = ValueType::Real;
@@ -64,7 +68,7 @@ struct PortDescriptor {
   bool standing = false;
   /// Output: worked out from values that are in the digest; recorded, in no digest itself.
   bool derived = false;
-  Text help{"", ""};
+  Meaning meaning = Meaning::None;  ///< Output: what it means to whoever judges a run.
 
   /// Values of one wire; 0 = whatever is wired.
   int width() const noexcept { return elements.empty() ? size : static_cast<int>(elements.size()); }
@@ -87,24 +91,6 @@ bool is_input(ComponentClass, PortRole) noexcept;
 
 /// Names of its values; empty where it has one, or any number.
 std::vector<std::string> element_names(const PortDescriptor& port);
-
-enum class ParameterType { Real, Integer, Boolean, Choice, Word, Reals };
-std::string_view name_of(ParameterType) noexcept;
-
-struct ParameterDescriptor {
-  std::string_view name;
-  ParameterType type = ParameterType::Real;
-  std::string_view unit = "";
-  double preset = 0;  ///< Default; of a Choice its index, of a Boolean 0 or 1.
-  double min = -std::numeric_limits<double>::infinity();
-  double max = std::numeric_limits<double>::infinity();
-  std::span<const std::string_view> choices{};
-  std::string_view preset_word = "";       ///< Default of a Word.
-  std::span<const double> preset_reals{};  ///< Default of Reals; min and max hold for each.
-  int count = 0;                           ///< Reals: how many, 0 = any number.
-  Text help{"", ""};
-  bool ours = false;  ///< Not given by the source: our reconstruction, to be labelled so wherever it is shown.
-};
 
 /// What a kind says of itself. The loader, messages, JSON Schema, palette, forms, manual and exporter derive from it.
 struct Descriptor {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "ganglion/descriptor/common_parameters.h"
+
 namespace ganglion {
 namespace {
 
@@ -26,34 +28,52 @@ Json number_schema(const ParameterDescriptor& parameter, bool whole) {
   return json;
 }
 
-}  // namespace
-
-Json parameter_schema(const ParameterDescriptor& parameter) {
-  Json json;
+Json type_schema(const ParameterDescriptor& parameter) {
   switch (parameter.type) {
     case ParameterType::Real:
-      json = number_schema(parameter, false);
-      json["default"] = parameter.preset;
-      break;
+      return number_schema(parameter, false);
     case ParameterType::Integer:
-      json = number_schema(parameter, true);
-      json["default"] = static_cast<std::int64_t>(parameter.preset);
-      break;
+      return number_schema(parameter, true);
     case ParameterType::Boolean:
-      json = {{"type", "boolean"}, {"default", parameter.preset != 0}};
-      break;
+      return {{"type", "boolean"}};
     case ParameterType::Choice:
-      json = {{"enum", parameter.choices}, {"default", parameter.choices[static_cast<std::size_t>(parameter.preset)]}};
-      break;
+      return {{"enum", parameter.choices}};
     case ParameterType::Word:
-      json = {{"type", "string"}, {"default", parameter.preset_word}};
-      break;
+      return {{"type", "string"}};
     case ParameterType::Reals:
-      json = {{"type", "array"}, {"items", number_schema(parameter, false)}};
-      if (parameter.count != 0) json["minItems"] = json["maxItems"] = parameter.count;
-      json["default"] = parameter.preset_reals;
       break;
   }
+  Json list = {{"type", "array"}, {"items", number_schema(parameter, false)}};
+  if (parameter.count != 0) {
+    list["minItems"] = list["maxItems"] = parameter.count;
+    return list;
+  }
+  return {{"anyOf", Json::array({number_schema(parameter, false), list})}};
+}
+
+}  // namespace
+
+Json preset_json(const ParameterDescriptor& parameter) {
+  const ParameterValue preset = parameter.preset();
+  if (const auto* word = std::get_if<std::string>(&preset)) return *word;
+  if (const auto* numbers = std::get_if<std::vector<double>>(&preset)) return *numbers;
+  const double number = std::get<double>(preset);
+  if (parameter.type == ParameterType::Boolean) return number != 0;
+  if (parameter.type == ParameterType::Integer) return static_cast<std::int64_t>(number);
+  if (parameter.type == ParameterType::Choice) return parameter.choices[static_cast<std::size_t>(number)];
+  return number;
+}
+
+Json parameter_schema(const ParameterDescriptor& parameter) {
+  Json json = type_schema(parameter);
+  if (!parameter.allowed.empty()) {
+    json["enum"] = Json::array();
+    for (const double value : parameter.allowed) {
+      json["enum"].push_back(parameter.type == ParameterType::Integer ? Json(static_cast<std::int64_t>(value))
+                                                                      : Json(value));
+    }
+  }
+  json["default"] = preset_json(parameter);
   json["description"] = description_of(parameter);
   return json;
 }
@@ -63,8 +83,10 @@ Json kind_schema(const Descriptor& kind) {
   if (!kind.paper_name.empty()) names.push_back(kind.paper_name);
   Json properties;
   properties["kind"] = names.size() == 1 ? Json{{"const", kind.name}} : Json{{"enum", names}};
-  for (const ParameterDescriptor& parameter : kind.parameters) {
-    properties[std::string(parameter.name)] = parameter_schema(parameter);
+  for (const auto& list : {kind.parameters, common_parameters(kind.component_class)}) {
+    for (const ParameterDescriptor& parameter : list) {
+      properties[std::string(parameter.name)] = parameter_schema(parameter);
+    }
   }
   return {{"title", kind.name},
           {"description", kind.summary.in(Language::English)},

@@ -13,7 +13,11 @@ inline constexpr std::string_view kJsonSchemaDialect = "https://json-schema.org/
 /// JSON Schema of a parameter's value: type, limits, choices, default and, as description, its help with unit.
 nlohmann::ordered_json parameter_schema(const ParameterDescriptor& parameter);
 
-/// JSON Schema of the table of a component of this kind: `kind`, which is required, and its parameters. Who reads such
+/// Its default, as such a value.
+nlohmann::ordered_json preset_json(const ParameterDescriptor& parameter);
+
+/// JSON Schema of the table of a component of this kind: `kind`, which is required, its parameters
+/// and those of its class. Who reads such
 /// tables adds the keys of its own; whatever is not listed in the end is an unknown key.
 nlohmann::ordered_json kind_schema(const Descriptor& kind);
 

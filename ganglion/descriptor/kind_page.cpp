@@ -8,26 +8,29 @@
 #include <vector>
 
 #include "ganglion/base/text.h"
+#include "ganglion/descriptor/common_parameters.h"
 
 namespace ganglion {
 namespace {
 
-constexpr std::array<Text, 8> kClasses = {{{"Sensation", "Sensación"},
+constexpr std::array<Text, 9> kClasses = {{{"Sensation", "Sensación"},
                                            {"Sensing module", "Módulo de detección"},
                                            {"Global goal", "Objetivo global"},
                                            {"Acting module", "Módulo de actuación"},
                                            {"Coordinator", "Coordinador"},
                                            {"Simulated sensor", "Sensor simulado"},
                                            {"Simulated drive", "Tracción simulada"},
-                                           {"Simulated plant", "Planta simulada"}}};
-constexpr std::array<Text, 8> kGroups = {{{"Sensations", "Sensaciones"},
+                                           {"Simulated plant", "Planta simulada"},
+                                           {"Measure", "Medida"}}};
+constexpr std::array<Text, 9> kGroups = {{{"Sensations", "Sensaciones"},
                                           {"Sensing modules", "Módulos de detección"},
                                           {"Global goals", "Objetivos globales"},
                                           {"Acting modules", "Módulos de actuación"},
                                           {"Coordinators", "Coordinadores"},
                                           {"Simulated sensors", "Sensores simulados"},
                                           {"Simulated drives", "Tracciones simuladas"},
-                                          {"Simulated plants", "Plantas simuladas"}}};
+                                          {"Simulated plants", "Plantas simuladas"},
+                                          {"Measures", "Medidas"}}};
 constexpr std::array<Text, 6> kRoles = {{{"request", "solicitud"},
                                          {"feedback", "retroalimentación"},
                                          {"candidate", "candidato"},
@@ -145,6 +148,8 @@ class Page {
         break;
     }
     std::string range;
+    for (const double value : parameter.allowed) range += (range.empty() ? "" : ", ") + shortest(value);
+    if (!range.empty()) return range;
     if (low && high) range = fmt::format("{} .. {}", shortest(parameter.min), shortest(parameter.max));
     if (low && !high) range = ">= " + shortest(parameter.min);
     if (!low && high) range = "<= " + shortest(parameter.max);
@@ -154,40 +159,43 @@ class Page {
     return fmt::format("{}{}{}", count, range.empty() ? "" : ": ", range);
   }
 
-  std::string preset_of(const ParameterDescriptor& parameter) const {
-    switch (parameter.type) {
-      case ParameterType::Boolean:
-        return parameter.preset != 0 ? "`true`" : "`false`";
-      case ParameterType::Choice:
-        return fmt::format("`{}`", parameter.choices[static_cast<std::size_t>(parameter.preset)]);
-      case ParameterType::Word:
-        return fmt::format("`\"{}\"`", parameter.preset_word);
-      case ParameterType::Reals: {
-        std::vector<std::string> values;
-        for (const double value : parameter.preset_reals) values.push_back(shortest(value));
-        return "[" + join(values) + "]";
-      }
-      default:
-        return shortest(parameter.preset);
+  static std::string preset_of(const ParameterDescriptor& parameter) {
+    const ParameterValue preset = parameter.preset();
+    if (const auto* word = std::get_if<std::string>(&preset)) return fmt::format("`\"{}\"`", *word);
+    if (const auto* numbers = std::get_if<std::vector<double>>(&preset)) {
+      std::vector<std::string> values;
+      for (const double value : *numbers) values.push_back(shortest(value));
+      return "[" + join(values) + "]";
     }
+    const double number = std::get<double>(preset);
+    if (parameter.type == ParameterType::Boolean) return number != 0 ? "`true`" : "`false`";
+    if (parameter.type != ParameterType::Choice) return shortest(number);
+    return fmt::format("`{}`", parameter.choices[static_cast<std::size_t>(number)]);
+  }
+
+  void print_parameter(const ParameterDescriptor& parameter, std::string_view mark) {
+    out_ += fmt::format("| `{}` | {} | {} | {} | {}: {}{} |\n", parameter.name, cell(parameter.unit),
+                        cell(range_of(parameter)), cell(preset_of(parameter)), cell(word(parameter.title)),
+                        cell(word(parameter.help)), mark);
   }
 
   void print_parameters() {
-    if (kind_.parameters.empty()) return;
+    const auto common = common_parameters(kind_.component_class);
+    if (kind_.parameters.empty() && common.empty()) return;
     heading({"Parameters", "Parámetros"},
             {"parameter | unit | range | default | meaning", "parámetro | unidad | rango | por defecto | significado"},
             5);
+    bool any_ours = false;
     for (const ParameterDescriptor& parameter : kind_.parameters) {
-      out_ += fmt::format("| `{}` | {} | {} | {} | {}{} |\n", parameter.name, cell(parameter.unit),
-                          cell(range_of(parameter)), cell(preset_of(parameter)), cell(parameter.help.in(language_)),
-                          parameter.ours ? word({" *Ours.*", " *Nuestro.*"}) : "");
+      print_parameter(parameter, parameter.ours ? word({" *Ours.*", " *Nuestro.*"}) : "");
+      any_ours = any_ours || parameter.ours;
     }
-    for (const ParameterDescriptor& parameter : kind_.parameters) {
-      if (!parameter.ours || level_ > 1) continue;  // a page of many kinds says it once
-      out_ += word({"\n*Ours*: the source gives no value; this one is our reconstruction.\n",
-                    "\n*Nuestro*: la fuente no da el valor; este lo hemos reconstruido.\n"});
-      break;
+    for (const ParameterDescriptor& parameter : common) {
+      print_parameter(parameter, word({" *Of the class.*", " *De la clase.*"}));
     }
+    if (!any_ours || level_ > 1) return;  // a page of many kinds says it once
+    out_ += word({"\n*Ours*: the source gives no value; this one is our reconstruction.\n",
+                  "\n*Nuestro*: la fuente no da el valor; este lo hemos reconstruido.\n"});
   }
 
   const Descriptor& kind_;
@@ -204,8 +212,8 @@ Lists every kind of component, or shows the page of one (its own name or the pap
 this page ([in Spanish](kinds.es.md)): it is written by the program from what each kind says of itself, and a test
 compares the two.
 
-*Ours* marks a value that the source does not give: a reconstruction, never the author's. Keys that every component of a
-class takes besides, as `in.<port>`, `command`, `tolerance`, stand in [controller.toml](controller_toml.md); those of sensors and
+*Ours* marks a value that the source does not give: a reconstruction, never the author's; *of the class* what every component
+of its class takes. Other keys that all take, as `in.<port>` and `command`, stand in [controller.toml](controller_toml.md); those of sensors and
 drives in [robot.toml](robot_toml.md). What `status` and `reason` say: [controller.toml](controller_toml.md#status-and-reason).
 )",
     R"(# ganglion kinds [TIPO]
@@ -215,8 +223,8 @@ Enumera todos los tipos de componente, o muestra la página de uno (su nombre o 
 esta página ([en inglés](kinds.md)): la escribe el programa a partir de lo que cada tipo dice de sí mismo, y una prueba
 compara ambas cosas.
 
-*Nuestro* señala un valor que la fuente no da: una reconstrucción, nunca del autor. Las claves que además admite todo componente
-de una clase, como `in.<puerto>`, `command` o `tolerance`, están en [controller.toml](controller_toml.md); las de sensores y
+*Nuestro* señala un valor que la fuente no da: una reconstrucción, nunca del autor; *de la clase*, lo que admite todo componente
+de su clase. Otras claves que todos admiten, como `in.<puerto>` y `command`, están en [controller.toml](controller_toml.md); las de sensores y
 tracciones, en [robot.toml](robot_toml.md). Qué dicen `status` y `reason`: [controller.toml](controller_toml.md#status-and-reason).
 )"};
 

@@ -1,7 +1,9 @@
 #include "ganglion/descriptor/kinds_json.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "ganglion/descriptor/common_parameters.h"
 #include "ganglion/descriptor/json_schema.h"
 
 namespace ganglion {
@@ -22,19 +24,26 @@ Json json_of(const PortDescriptor& port, ComponentClass component_class, bool co
           {"required", is_input(component_class, port.role) && port.required},
           {"many", port.many},
           {"common", common},
+          {"title", json_of(port.title)},
           {"help", json_of(port.help)}};
 }
 
-Json json_of(const ParameterDescriptor& parameter) {
+Json limit_of(const ParameterDescriptor& parameter, double limit) {
+  return parameter.type == ParameterType::Integer ? Json(static_cast<std::int64_t>(limit)) : Json(limit);
+}
+
+Json json_of(const ParameterDescriptor& parameter, bool common) {
   Json json = {{"name", parameter.name}, {"type", name_of(parameter.type)}, {"unit", parameter.unit}};
-  const Json schema = parameter_schema(parameter);
-  json["default"] = schema["default"];
-  const Json& limits = parameter.type == ParameterType::Reals ? schema["items"] : schema;
-  if (limits.contains("minimum")) json["min"] = limits["minimum"];
-  if (limits.contains("maximum")) json["max"] = limits["maximum"];
+  json["default"] = preset_json(parameter);
+  if (std::isfinite(parameter.min)) json["min"] = limit_of(parameter, parameter.min);
+  if (std::isfinite(parameter.max)) json["max"] = limit_of(parameter, parameter.max);
+  if (!parameter.allowed.empty()) json["allowed"] = parameter.allowed;
   if (parameter.type == ParameterType::Choice) json["choices"] = parameter.choices;
   if (parameter.type == ParameterType::Reals) json["count"] = parameter.count;
   json["ours"] = parameter.ours;
+  json["live"] = parameter.live;
+  json["common"] = common;
+  json["title"] = json_of(parameter.title);
   json["help"] = json_of(parameter.help);
   return json;
 }
@@ -51,7 +60,10 @@ Json json_of(const Descriptor& kind) {
   for (const PortDescriptor& port : common_outputs(kind)) {
     json["ports"].push_back(json_of(port, kind.component_class, true));
   }
-  for (const ParameterDescriptor& parameter : kind.parameters) json["parameters"].push_back(json_of(parameter));
+  for (const ParameterDescriptor& parameter : kind.parameters) json["parameters"].push_back(json_of(parameter, false));
+  for (const ParameterDescriptor& parameter : common_parameters(kind.component_class)) {
+    json["parameters"].push_back(json_of(parameter, true));
+  }
   return json;
 }
 

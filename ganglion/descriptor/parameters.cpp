@@ -1,68 +1,57 @@
 #include "ganglion/descriptor/parameters.h"
 
-#include "ganglion/base/expects.h"
-
 namespace ganglion {
 
 Parameters::Parameters(std::span<const ParameterDescriptor> descriptors) : descriptors_(descriptors) {
-  for (const ParameterDescriptor& descriptor : descriptors) {
-    values_.push_back({descriptor.preset,
-                       std::string(descriptor.preset_word),
-                       {descriptor.preset_reals.begin(), descriptor.preset_reals.end()},
-                       false});
-  }
+  for (const ParameterDescriptor& descriptor : descriptors) values_.push_back({descriptor.preset(), false});
 }
 
-Parameters::Value& Parameters::set_at(std::string_view name) {
+std::size_t Parameters::index_of(std::string_view name) const {
   for (std::size_t i = 0; i < descriptors_.size(); ++i) {
-    if (descriptors_[i].name != name) continue;
-    values_[i].given = true;
-    return values_[i];
+    if (descriptors_[i].name == name) return i;
   }
-  expects(false);  // the kind asks for a parameter that its own descriptor does not list
-  return values_.front();
+  expects(false);  // whoever asks names a parameter that the descriptor does not list
+  return 0;
 }
 
-bool Parameters::given(std::string_view name) const {
-  for (std::size_t i = 0; i < descriptors_.size(); ++i) {
-    if (descriptors_[i].name == name) return values_[i].given;
-  }
-  expects(false);
-  return false;
+const ParameterValue& Parameters::value(std::string_view name) const { return values_[index_of(name)].value; }
+
+bool Parameters::given(std::string_view name) const { return values_[index_of(name)].given; }
+
+const ParameterValue& Parameters::at(std::string_view name, ParameterType type) const {
+  const std::size_t index = index_of(name);
+  expects(descriptors_[index].type == type);
+  return values_[index].value;
 }
 
-const Parameters::Value& Parameters::at(std::string_view name, ParameterType type) const {
-  for (std::size_t i = 0; i < descriptors_.size(); ++i) {
-    if (descriptors_[i].name != name) continue;
-    expects(descriptors_[i].type == type);
-    return values_[i];
-  }
-  expects(false);
-  return values_.front();
-}
-
-double Parameters::real(std::string_view name) const { return at(name, ParameterType::Real).number; }
+double Parameters::real(std::string_view name) const { return std::get<double>(at(name, ParameterType::Real)); }
 int Parameters::integer(std::string_view name) const {
-  return static_cast<int>(at(name, ParameterType::Integer).number);
+  return static_cast<int>(std::get<double>(at(name, ParameterType::Integer)));
 }
-bool Parameters::boolean(std::string_view name) const { return at(name, ParameterType::Boolean).number != 0; }
+bool Parameters::boolean(std::string_view name) const {
+  return std::get<double>(at(name, ParameterType::Boolean)) != 0;
+}
 int Parameters::choice_index(std::string_view name) const {
-  return static_cast<int>(at(name, ParameterType::Choice).number);
+  return static_cast<int>(std::get<double>(at(name, ParameterType::Choice)));
 }
 std::string_view Parameters::choice(std::string_view name) const {
-  const auto index = static_cast<std::size_t>(choice_index(name));
-  for (const ParameterDescriptor& descriptor : descriptors_) {
-    if (descriptor.name == name) return descriptor.choices[index];
-  }
-  return {};
+  return descriptors_[index_of(name)].choices[static_cast<std::size_t>(choice_index(name))];
 }
-const std::string& Parameters::word(std::string_view name) const { return at(name, ParameterType::Word).word; }
-std::span<const double> Parameters::reals(std::string_view name) const { return at(name, ParameterType::Reals).reals; }
+const std::string& Parameters::word(std::string_view name) const {
+  return std::get<std::string>(at(name, ParameterType::Word));
+}
+std::span<const double> Parameters::reals(std::string_view name) const {
+  return std::get<std::vector<double>>(at(name, ParameterType::Reals));
+}
 
-void Parameters::set(std::string_view name, double value) { set_at(name).number = value; }
-void Parameters::set_word(std::string_view name, std::string value) { set_at(name).word = std::move(value); }
-void Parameters::set_reals(std::string_view name, std::vector<double> values) {
-  set_at(name).reals = std::move(values);
+void Parameters::set_value(std::string_view name, ParameterValue value) {
+  Value& found = values_[index_of(name)];
+  expects(found.value.index() == value.index());
+  found = {std::move(value), true};
 }
+
+void Parameters::set(std::string_view name, double value) { set_value(name, value); }
+void Parameters::set_word(std::string_view name, std::string value) { set_value(name, std::move(value)); }
+void Parameters::set_reals(std::string_view name, std::vector<double> values) { set_value(name, std::move(values)); }
 
 }  // namespace ganglion

@@ -5,7 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "ganglion/descriptor/descriptor.h"
+#include "ganglion/base/expects.h"
+#include "ganglion/descriptor/parameter.h"
 
 namespace ganglion {
 
@@ -23,6 +24,7 @@ class Parameters {
   int choice_index(std::string_view name) const;
   const std::string& word(std::string_view name) const;
   std::span<const double> reals(std::string_view name) const;
+  const ParameterValue& value(std::string_view name) const;
 
   /// Whether it was set: for kinds whose defaults hang together, a device's by its name.
   bool given(std::string_view name) const;
@@ -32,15 +34,25 @@ class Parameters {
 
   std::span<const ParameterDescriptor> descriptors() const noexcept { return descriptors_; }
 
+  /// A Config with what was given; all else is as the Config has it by itself.
+  template <class Config>
+  Config filled() const {
+    Config config{};
+    for (std::size_t i = 0; i < descriptors_.size(); ++i) {
+      expects(descriptors_[i].config == &detail::kConfigTag<Config>);
+      if (values_[i].given) descriptors_[i].store(&config, values_[i].value);
+    }
+    return config;
+  }
+
  private:
   struct Value {
-    double number = 0;
-    std::string word;
-    std::vector<double> reals;
+    ParameterValue value;
     bool given = false;
   };
-  const Value& at(std::string_view name, ParameterType type) const;
-  Value& set_at(std::string_view name);
+  std::size_t index_of(std::string_view name) const;
+  const ParameterValue& at(std::string_view name, ParameterType type) const;
+  void set_value(std::string_view name, ParameterValue value);
 
   std::span<const ParameterDescriptor> descriptors_;
   std::vector<Value> values_;

@@ -42,8 +42,8 @@ class Compiler {
   void connect_goals(std::size_t index, const std::vector<int>& goals);
   void connect_answers();
 
-  std::size_t add_signal(const std::string& name, const std::string& unit) {
-    controller_.signals_.push_back({name, unit});
+  std::size_t add_signal(const std::string& name, const std::string& unit, Meaning meaning = Meaning::None) {
+    controller_.signals_.push_back({name, unit, meaning});
     return controller_.signals_.size() - 1;
   }
   Part& part(int index) { return controller_.parts_[static_cast<std::size_t>(index)]; }

@@ -82,8 +82,8 @@ void Compiler::lay_out_outputs(const ComponentModel& model, Part& part, bool der
     if (output.derived != derived) continue;
     part.outputs_at[o] = controller_.signals_.size();
     const std::string name = output.name.empty() ? model.id : model.id + "." + output.name;
-    if (output.elements.empty()) add_signal(name, output.unit);
-    for (const std::string& element : output.elements) add_signal(name + "." + element, output.unit);
+    if (output.elements.empty()) add_signal(name, output.unit, output.meaning);
+    for (const std::string& element : output.elements) add_signal(name + "." + element, output.unit, output.meaning);
   }
 }
 

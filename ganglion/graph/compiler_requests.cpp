@@ -28,11 +28,12 @@ void Compiler::connect_goals(std::size_t index, const std::vector<int>& goals) {
   std::vector<GlobalGoal*> members;
   for (const int goal : goals) {
     auto& role = *part(goal).as<layout::GoalRole>();
+    role.goal->rank(model_.components[static_cast<std::size_t>(goal)].common.filled<GoalCommon>().priority_class);
     role.asks.emplace_back(static_cast<int>(index), members.size());
     members.push_back(role.goal);
   }
   auto& acting = *controller_.parts_[index].as<layout::ActingRole>();
-  acting.arbiter.emplace(std::move(members), model_.components[index].preemption);
+  acting.arbiter.emplace(std::move(members), model_.components[index].common.filled<ActingCommon>().preemption);
 }
 
 /// A module whose command a coordinator makes a request of another module hears what becomes of it, and pays what that

@@ -17,6 +17,7 @@ namespace ganglion {
 struct Signal {
   std::string name;  ///< "sonar_left", "position.x", "escape.active", "drive.left"
   std::string unit;
+  Meaning meaning = Meaning::None;
 };
 
 /// What one component has learned.

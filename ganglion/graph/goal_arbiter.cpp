@@ -61,9 +61,8 @@ int GoalArbiter::strongest(const Tick& tick) const noexcept {
       best = i;
       continue;
     }
-    const int best_class = members_[static_cast<std::size_t>(best)].bid.priority_class;
-    const bool higher = member.bid.priority_class > best_class;
-    const bool stronger = member.bid.priority_class == best_class && strength(i) > strength(best);
+    const bool higher = class_of(i) > class_of(best);
+    const bool stronger = class_of(i) == class_of(best) && strength(i) > strength(best);
     if (higher || stronger) best = i;
   }
   return best;
@@ -71,9 +70,8 @@ int GoalArbiter::strongest(const Tick& tick) const noexcept {
 
 int GoalArbiter::successor(const Tick& tick, const RequestSlot& slot) noexcept {
   const Bid& own = members_[static_cast<std::size_t>(holder_)].bid;
-  if (!own.values.empty()) held_class_ = own.priority_class;  // silent, it keeps the class it asked in
   const int best = strongest(tick);
-  const bool higher = best >= 0 && members_[static_cast<std::size_t>(best)].bid.priority_class > held_class_;
+  const bool higher = best >= 0 && class_of(best) > class_of(holder_);
   if (preemption_ && higher && best != holder_) return best;
   return own.replaces && !own.values.empty() && !same(own.values, slot.span()) ? holder_ : -1;
 }
@@ -104,7 +102,6 @@ void GoalArbiter::hand_over(int next) noexcept {
     members_[static_cast<std::size_t>(holder_)].goal->concluded(RequestStatus::Withdrawn, reason);
   }
   holder_ = next;
-  held_class_ = members_[static_cast<std::size_t>(next)].bid.priority_class;
   open_ = true;
 }
 

@@ -48,12 +48,12 @@ class GoalArbiter {
   /// Who takes over from a pending request: a higher class, or its holder with other values; -1 = nobody.
   int successor(const Tick& tick, const RequestSlot& slot) noexcept;
   int strongest(const Tick& tick) const noexcept;
+  int class_of(int index) const noexcept { return members_[static_cast<std::size_t>(index)].goal->priority_class(); }
   bool wants(const Member& member, const Tick& tick) const noexcept;
 
   std::vector<Member> members_;
   bool preemption_;
   int holder_ = -1;
-  int held_class_ = 0;
   bool open_ = false;  ///< The holder's request has not been concluded yet.
 };
 

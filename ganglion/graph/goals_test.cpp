@@ -25,9 +25,9 @@ in.goal = )" +
 }
 
 TEST(Goals, OfAHigherClassWinHoweverStrongTheOthersAre) {
-  Rig rig(contest(
-      wish("low", "values = [1]\nclass = 0\nintensity = 1") + wish("high", "values = [2]\nclass = 1\nintensity = 0.1"),
-      R"(["low", "high"])"));
+  Rig rig(contest(wish("low", "values = [1]\npriority_class = 0\nintensity = 1") +
+                      wish("high", "values = [2]\npriority_class = 1\nintensity = 0.1"),
+                  R"(["low", "high"])"));
   rig.tick();
   EXPECT_EQ(rig.command("move"), 2);
 }
@@ -63,7 +63,8 @@ TEST(Goals, DoNotTakeAPendingRequestFromTheirOwnClass) {
   EXPECT_EQ(rig.command("move"), 1);
 }
 
-const std::string kAlarm = wish("work", "values = [1]") + wish("alarm", "values = [2]\nclass = 1\nin.wanted = \"a\"");
+const std::string kAlarm =
+    wish("work", "values = [1]") + wish("alarm", "values = [2]\npriority_class = 1\nin.wanted = \"a\"");
 
 TEST(Goals, OfAHigherClassPreemptAPendingRequest) {
   Rig rig(contest(kAlarm, R"(["work", "alarm"])"));
@@ -93,9 +94,9 @@ TEST(Goals, OfAHigherClassWaitWherePreemptionIsSwitchedOff) {
 }
 
 TEST(Goals, KeepTheClassOfTheirPendingRequestWhenTheyNoLongerBid) {
-  Rig rig(
-      contest(wish("high", "values = [1]\nclass = 2\nin.wanted = \"a\"") + wish("middle", "values = [2]\nclass = 1"),
-              R"(["high", "middle"])"));
+  Rig rig(contest(wish("high", "values = [1]\npriority_class = 2\nin.wanted = \"a\"") +
+                      wish("middle", "values = [2]\npriority_class = 1"),
+                  R"(["high", "middle"])"));
   rig.set("a", 1);
   rig.tick();
   rig.set("a", 0);

@@ -25,7 +25,7 @@ rc::Gen<double> any_double() {
 std::string everything() {
   return sensations({"place", "a", "b", "c", "d", "pair", "heading"}) +
          wish("trainer", "in.wish = \"c\"\nin.strength = \"d\"\nreplaces = true") +
-         wish("alarm", "in.wish = \"place\"\nin.wanted = \"a\"\nclass = 1") + wish("turn", "in.wish = \"b\"") +
+         wish("alarm", "in.wish = \"place\"\nin.wanted = \"a\"\npriority_class = 1") + wish("turn", "in.wish = \"b\"") +
          seeker("lower", "upper", "relative = true") + puppet("puppet", "a", "b", "in.ttl_s = \"c\"") +
          first("arbiter", R"("puppet", "lower")", "command = \"move\"") +
          puppet("driver", "a", "pair", "in.ttl_s = \"d\"\ncommand = \"drive\"") + R"([[acting]]

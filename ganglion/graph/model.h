@@ -1,12 +1,15 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "ganglion/application/description.h"
 #include "ganglion/config/outline.h"
 #include "ganglion/config/value.h"
+#include "ganglion/descriptor/common_parameters.h"
+#include "ganglion/descriptor/ports.h"
 #include "ganglion/graph/kind_list.h"
 #include "ganglion/module/tick/request.h"
 
@@ -47,6 +50,7 @@ struct OutputShape {
   std::vector<std::string> elements;  ///< Empty = one value.
   bool declared = true;
   bool derived = false;  ///< In no digest.
+  Meaning meaning = Meaning::None;
   int size() const noexcept { return elements.empty() ? 1 : static_cast<int>(elements.size()); }
 };
 
@@ -56,6 +60,8 @@ struct ComponentModel {
   ComponentClass component_class = ComponentClass::Sensation;
   const Descriptor* descriptor = nullptr;  ///< Null for sensations.
   Parameters parameters{{}};
+  Parameters common{{}};                ///< Those of its class.
+  std::shared_ptr<const Ports> shaped;  ///< Where its parameters shape its ports.
   Place place{};
   std::string channel;  ///< Of a sensation: the robot's channel.
   Place channel_place{};
@@ -64,13 +70,12 @@ struct ComponentModel {
   std::string command;  ///< Of an acting module or coordinator: the robot's command it drives, "" = none.
   Place command_place{};
   int command_index = -1;
-  std::vector<double> tolerance;  ///< Of an acting module: one number, or one for each value of that port.
-  Comparison comparison{};        ///< Of an acting module: of its first Feedback port with what is sought.
-  bool preemption = true;         ///< Of an acting module: whether a goal of a higher class may take it over.
+  Comparison comparison{};  ///< Of an acting module: of its first Feedback port with what is sought.
   std::vector<OutputShape> outputs;
 
   /// Its ports, as its parameters shape them. None of a sensation.
   std::span<const PortDescriptor> ports() const noexcept {
+    if (shaped != nullptr) return shaped->list();
     return descriptor != nullptr ? descriptor->ports : std::span<const PortDescriptor>{};
   }
   /// The port of that name, or the first of that role; null if there is none.

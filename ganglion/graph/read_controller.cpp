@@ -181,39 +181,55 @@ class WireReader {
   std::vector<std::string> given_;  // wired, or meant to be by what was reported already
 };
 
-/// The tolerances that are written; none where none is.
-std::vector<double> read_tolerances(Table& table, const PortDescriptor& port) {
-  const config::Value* written = table.value("tolerance");
-  if (written != nullptr && written->array() != nullptr) {
-    return table.numbers("tolerance", {}, static_cast<std::size_t>(port.width()), config::kNotNegative);
-  }
-  const double one = table.number("tolerance", default_tolerance(port, 0), config::kNotNegative);
-  return written != nullptr ? std::vector<double>{one} : std::vector<double>{};
-}
-
 /// How near the reading of its first Feedback port must come to what is sought: one number for all its values, or a list
 /// with one for each.
-void read_tolerance(Table& table, ComponentModel& component) {
+void read_tolerance(const Table& table, ComponentModel& component) {
+  const std::vector<double> given = component.common.filled<ActingCommon>().tolerance;
   const PortDescriptor* port = component.port_of(PortRole::Feedback);
-  if (port == nullptr) {
-    table.number("tolerance", 0, config::kNotNegative);
+  if (port == nullptr) return;
+  const auto width = static_cast<std::size_t>(port->width());
+  if (given.size() > 1 && width != 0 && given.size() != width) {
+    table.problem("tolerance", ErrorCode::BadParameter,
+                  {"tolerance has {} numbers, but \"{}\" has {} values; write one number, or one for each",
+                   "tolerance tiene {} números, pero \"{}\" tiene {} valores; escriba un número, o uno para cada uno"},
+                  given.size(), port->name, width);
     return;
   }
-  const std::vector<double> given = read_tolerances(table, *port);
-  component.tolerance = given.empty() ? std::vector<double>{default_tolerance(*port, 0)} : given;
   for (std::size_t i = 0; i < kMaxCommandValues; ++i) {
+    double& tolerance = component.comparison.tolerance[i];
     component.comparison.circular[i] = port->type_of(i) == ValueType::Circular;
-    component.comparison.tolerance[i] = default_tolerance(*port, i);
-    if (given.empty()) continue;
-    component.comparison.tolerance[i] = given.size() == 1 ? given[0] : i < given.size() ? given[i] : 0;
-    if (component.comparison.tolerance[i] == 0 || port->type_of(i) != ValueType::Discrete) continue;
+    tolerance = given.empty() ? default_tolerance(*port, i) : given[std::min(i, given.size() - 1)];
+    if (tolerance == 0 || port->type_of(i) != ValueType::Discrete) continue;
     table.problem(
         "tolerance", ErrorCode::BadParameter,
         {"tolerance is {}, but \"{}\" is made of whole numbers, which are compared exactly; leave it out",
          "tolerance es {}, pero \"{}\" se compone de números enteros, que se comparan con exactitud; quítela"},
-        shortest(component.comparison.tolerance[i]), port->name);
+        shortest(tolerance), port->name);
     return;
   }
+}
+
+/// What a kind says of its parameters taken together: its ports as they shape them, and one is made on trial, so that
+/// nothing is refused later that could be refused here.
+template <class Product>
+void try_kind(std::span<const Kind<Product>* const> kinds, const Table& table, ComponentModel& component) {
+  const Kind<Product>& kind = *find_kind(kinds, component.descriptor->name);
+  const auto refuse = [&table](const Error& error) {
+    table.problem(error.subject.part.empty() ? "id" : error.subject.part, error);
+  };
+  if (kind.shape != nullptr) {
+    auto shaped = kind.shape(component.parameters);
+    if (!shaped) return refuse(shaped.error());
+    component.shaped = std::make_shared<const Ports>(std::move(*shaped));
+  }
+  if (const auto made = kind.make(component.parameters); !made) refuse(made.error());
+}
+
+void try_component(const KindList& kinds, const Table& table, ComponentModel& component) {
+  if (component.component_class == ComponentClass::Sensing) try_kind(kinds.sensing, table, component);
+  if (component.component_class == ComponentClass::Goal) try_kind(kinds.goal, table, component);
+  if (component.component_class == ComponentClass::Acting) try_kind(kinds.acting, table, component);
+  if (component.component_class == ComponentClass::Coordinator) try_kind(kinds.coordinator, table, component);
 }
 
 void read_component(Table& table, ComponentClass component_class, const KindList& kinds, ControllerModel& model) {
@@ -242,12 +258,12 @@ void read_component(Table& table, ComponentClass component_class, const KindList
     component.command = table.text("command", "");
     component.command_place = table.place("command");
   }
-  if (component_class == ComponentClass::Acting) {
-    read_tolerance(table, component);
-    component.preemption = table.boolean("preemption", true);
-  }
-  WireReader(table, component).run();
+  const std::size_t before = table.problems().size();
+  component.common = table.parameters(common_parameters(component_class));
   component.parameters = table.parameters(component.descriptor->parameters);
+  if (table.problems().size() == before) try_component(kinds, table, component);
+  if (component_class == ComponentClass::Acting) read_tolerance(table, component);
+  WireReader(table, component).run();
   model.components.push_back(std::move(component));
 }
 

@@ -52,22 +52,6 @@ Json inputs_schema(const Descriptor& kind) {
           {"additionalProperties", false}};
 }
 
-Json tolerance_schema(const Descriptor& kind) {
-  double preset = 0;
-  for (const PortDescriptor& port : kind.ports) {
-    if (port.role != PortRole::Feedback) continue;
-    preset = default_tolerance(port, 0);
-    break;
-  }
-  const Json number = {{"type", "number"}, {"minimum", 0}};
-  return {
-      {"anyOf", Json::array({number, {{"type", "array"}, {"items", number}}})},
-      {"default", preset},
-      {"description",
-       "A request is satisfied within this, in the unit of the first feedback; a list has one number for each of its "
-       "values"}};
-}
-
 Json component_schema(const Descriptor& kind) {
   Json schema = kind_schema(kind);
   Json& properties = schema["properties"];
@@ -78,15 +62,8 @@ Json component_schema(const Descriptor& kind) {
     if (!inputs["required"].empty()) schema["required"].push_back("in");
     properties["in"] = std::move(inputs);
   }
-  const bool acts = kind.component_class == ComponentClass::Acting;
-  if (acts || kind.component_class == ComponentClass::Coordinator) {
+  if (kind.component_class == ComponentClass::Acting || kind.component_class == ComponentClass::Coordinator) {
     properties["command"] = {{"type", "string"}, {"description", "The robot's command it drives"}};
-  }
-  if (acts) {
-    properties["tolerance"] = tolerance_schema(kind);
-    properties["preemption"] = {{"type", "boolean"},
-                                {"default", true},
-                                {"description", "Whether a goal of a higher class may take the module over"}};
   }
   return schema;
 }

@@ -29,7 +29,8 @@ std::vector<std::string> candidate_names(const ComponentModel& component) {
 }
 
 OutputShape shape_of(const PortDescriptor& port, const ComponentModel& component, bool declared) {
-  OutputShape shape{std::string(port.name), std::string(port.unit), port.type, {}, declared, port.derived};
+  OutputShape shape{
+      std::string(port.name), std::string(port.unit), port.type, {}, declared, port.derived, port.meaning};
   if (port.many) {
     shape.elements = candidate_names(component);
   } else if (!port.elements.empty()) {

@@ -65,8 +65,10 @@ class Drawing {
     for (const PortDescriptor& port : commander.ports) {
       if (port.role != PortRole::Command || !drives) continue;
       CommandChannel channel{"out", {}};
-      for (const std::string& element : element_names(port))
-        channel.elements.push_back({std::string(element), "", -10, 10, 0});
+      for (const std::string& element : element_names(port)) channel.elements.push_back({element, "", -10, 10, 0});
+      for (int i = static_cast<int>(channel.elements.size()); i < port.size; ++i) {
+        channel.elements.push_back({"value" + std::to_string(i), "", -10, 10, 0});
+      }
       robot_.commands.push_back(channel);
       lines += "command = \"out\"\n";
     }

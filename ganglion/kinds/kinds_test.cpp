@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "ganglion/descriptor/common_parameters.h"
 #include "ganglion/descriptor/kind_page.h"
 #include "ganglion/descriptor/kinds_json.h"
 #include "ganglion/graph/schema.h"
@@ -15,7 +16,7 @@ namespace ganglion {
 namespace {
 
 /// Keys that the reader of controllers or robots takes before a kind's parameters.
-const std::set<std::string_view> kReserved = {"id", "kind", "in", "command", "tolerance", "preemption"};
+const std::set<std::string_view> kReserved = {"id", "kind", "in", "command"};
 
 template <class Check>
 void for_each(Check check) {
@@ -42,8 +43,14 @@ TEST(EveryKind, SaysWhatItIsInBothLanguagesAndWhereItComesFrom) {
     const auto expect_both = [](const Text& text, std::string_view of) { EXPECT_FALSE(text.empty()) << of; };
     expect_both(kind.summary, "summary");
     EXPECT_FALSE(kind.source.empty());
-    for (const PortDescriptor& port : kind.ports) expect_both(port.help, port.name);
-    for (const ParameterDescriptor& parameter : kind.parameters) expect_both(parameter.help, parameter.name);
+    for (const PortDescriptor& port : kind.ports) {
+      expect_both(port.title, port.name);
+      expect_both(port.help, port.name);
+    }
+    for (const ParameterDescriptor& parameter : kind.parameters) {
+      expect_both(parameter.title, parameter.name);
+      expect_both(parameter.help, parameter.name);
+    }
   });
 }
 
@@ -51,6 +58,9 @@ TEST(EveryKind, NamesPortsAndParametersOnce) {
   for_each([](const Descriptor& kind) {
     std::set<std::string_view> ports, parameters = kReserved;
     for (const PortDescriptor& port : common_outputs(kind)) ports.insert(port.name);
+    for (const ParameterDescriptor& parameter : common_parameters(kind.component_class)) {
+      parameters.insert(parameter.name);
+    }
     for (const PortDescriptor& port : kind.ports) EXPECT_TRUE(ports.insert(port.name).second) << port.name;
     for (const ParameterDescriptor& parameter : kind.parameters) {
       EXPECT_TRUE(parameters.insert(parameter.name).second) << parameter.name;
@@ -58,23 +68,39 @@ TEST(EveryKind, NamesPortsAndParametersOnce) {
   });
 }
 
+/// The numbers of a default; none of a word.
+std::vector<double> numbers_of(const ParameterValue& value) {
+  if (const auto* number = std::get_if<double>(&value)) return {*number};
+  const auto* numbers = std::get_if<std::vector<double>>(&value);
+  return numbers != nullptr ? *numbers : std::vector<double>{};
+}
+
 TEST(EveryKind, HasDefaultsWithinItsOwnLimits) {
   for_each([](const Descriptor& kind) {
     for (const ParameterDescriptor& parameter : kind.parameters) {
-      EXPECT_LE(parameter.min, parameter.max) << parameter.name;
-      const auto within = [&](double value) {
-        return std::isfinite(value) && value >= parameter.min && value <= parameter.max;
-      };
-      if (parameter.type == ParameterType::Real || parameter.type == ParameterType::Integer) {
-        EXPECT_TRUE(within(parameter.preset)) << parameter.name;
+      SCOPED_TRACE(std::string(parameter.name));
+      EXPECT_LE(parameter.min, parameter.max);
+      for (const double value : numbers_of(parameter.preset())) {
+        EXPECT_TRUE(std::isfinite(value));
+        if (parameter.type == ParameterType::Choice) {
+          EXPECT_LT(value, static_cast<double>(parameter.choices.size()));
+          continue;
+        }
+        EXPECT_GE(value, parameter.min);
+        EXPECT_LE(value, parameter.max);
+        if (!parameter.allowed.empty()) {
+          EXPECT_TRUE(std::find(parameter.allowed.begin(), parameter.allowed.end(), value) != parameter.allowed.end());
+        }
       }
-      if (parameter.type == ParameterType::Integer) {
-        EXPECT_EQ(parameter.preset, std::floor(parameter.preset)) << parameter.name;
-      }
-      if (parameter.type == ParameterType::Choice) {
-        EXPECT_LT(parameter.preset, static_cast<double>(parameter.choices.size())) << parameter.name;
-      }
-      for (const double value : parameter.preset_reals) EXPECT_TRUE(within(value)) << parameter.name;
+    }
+  });
+}
+
+TEST(EveryKind, TiesItsParametersToOneConfig) {
+  for_each([](const Descriptor& kind) {
+    for (const ParameterDescriptor& parameter : kind.parameters) {
+      EXPECT_NE(parameter.store, nullptr) << parameter.name;
+      EXPECT_EQ(parameter.config, kind.parameters.front().config) << parameter.name;
     }
   });
 }

@@ -5,6 +5,7 @@
 
 #include "ganglion/base/expects.h"
 #include "ganglion/descriptor/parameters.h"
+#include "ganglion/descriptor/ports.h"
 #include "ganglion/module/exhibit.h"
 #include "ganglion/module/experience.h"
 #include "ganglion/module/tick/feedback.h"
@@ -51,8 +52,23 @@ class Component : public Learner, public Exhibitor {
 template <class Product>
 struct Kind {
   Descriptor descriptor;
-  /// Fails with BadParameter where values contradict each other; single ranges were held before.
+  /// Fails with BadParameter where values contradict each other; single ranges were held before. Takes little time and
+  /// memory: every check of a file makes one on trial; what needs more is taken in bound() or grow().
   Result<std::unique_ptr<Product>> (*make)(const Parameters&) = nullptr;
+  /// Ports as the parameters shape them, where they do. Known before wires are read; null = those of the descriptor.
+  Result<Ports> (*shape)(const Parameters&) = nullptr;
 };
+
+/// How most kinds are made: the Config with what the file gives, judged where the kind has something to judge, which may
+/// also work out what hangs together: `static Result<void> judge(Config&)`, or with the Parameters as well.
+template <class Product, class Made, class Config>
+Result<std::unique_ptr<Product>> make_bound(const Parameters& values) {
+  Config config = values.filled<Config>();
+  Result<void> judged;
+  if constexpr (requires { Made::judge(config, values); }) judged = Made::judge(config, values);
+  if constexpr (requires { Made::judge(config); }) judged = Made::judge(config);
+  if (!judged) return tl::unexpected<Error>(judged.error());
+  return std::make_unique<Made>(std::move(config));
+}
 
 }  // namespace ganglion

@@ -10,7 +10,6 @@ namespace ganglion {
 /// What a goal wants of its acting module at this tick.
 struct Bid {
   std::span<const double> values{};  ///< The request; empty = nothing wanted.
-  int priority_class = 0;            ///< A higher class may pre-empt a lower one.
   double intensity = 1;              ///< Within a class the strongest wins; a challenger needs 0.1 more. In [0, 1].
   bool replaces = false;             ///< May replace its own pending request by other values (a trainer).
 };
@@ -18,6 +17,9 @@ struct Bid {
 /// An intrinsic motivation of the controller (red in the GFM papers): asks, and is told what became of it.
 class GlobalGoal : public Component {
  public:
+  /// Its class among goals of the same module: a higher one may pre-empt a lower one. Given once, before the first tick.
+  void rank(int priority_class) noexcept { priority_class_ = priority_class; }
+  int priority_class() const noexcept { return priority_class_; }
   /// Makes up its mind, once a tick.
   void decide(const Tick& tick) noexcept { wanted_ = bid(Feedback{tick, links().inputs}); }
   /// What it wants since then.
@@ -30,6 +32,7 @@ class GlobalGoal : public Component {
 
  private:
   Bid wanted_{};
+  int priority_class_ = 0;
 };
 
 using GlobalGoalKind = Kind<GlobalGoal>;

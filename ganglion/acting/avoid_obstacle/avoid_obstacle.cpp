@@ -7,6 +7,7 @@
 namespace ganglion {
 namespace {
 
+using Config = AvoidObstacleConfig;
 using subsumption::Preset;
 
 enum Input : std::size_t { kLeft, kRight, kEscaping };
@@ -16,163 +17,164 @@ constexpr std::array kPorts = {
     subsumption::sonar_port(true),
     subsumption::sonar_port(false),
     PortDescriptor{.name = "escaping",
-                   .type = ValueType::Discrete,
-                   .required = false,
+                   .title = {"escaping", "escape en curso"},
                    .help = {"1 while Escape drives: keeps this behaviour inactive",
-                            "1 mientras Escape conduce: deja inactivo este comportamiento"}},
+                            "1 mientras Escape conduce: deja inactivo este comportamiento"},
+                   .type = ValueType::Discrete,
+                   .required = false},
     subsumption::kTracksPort,
     PortDescriptor{.name = "difference",
+                   .title = {"difference", "diferencia"},
+                   .help = {"Right range less left range", "Distancia derecha menos izquierda"},
                    .role = PortRole::Output,
-                   .unit = "m",
-                   .help = {"Right range less left range", "Distancia derecha menos izquierda"}},
+                   .unit = "m"},
     PortDescriptor{.name = "side",
-                   .role = PortRole::Output,
-                   .type = ValueType::Discrete,
+                   .title = {"side", "lado"},
                    .help = {"Side it has committed itself to: -1 left, 0 none, 1 right",
-                            "Lado con el que se ha comprometido: -1 izquierda, 0 ninguno, 1 derecha"}},
+                            "Lado con el que se ha comprometido: -1 izquierda, 0 ninguno, 1 derecha"},
+                   .role = PortRole::Output,
+                   .type = ValueType::Discrete},
 };
 
 constexpr std::array kParameters = {
-    subsumption::kPresetParameter,
-    ParameterDescriptor{.name = "trigger_range_m",
-                        .unit = "m",
-                        .preset = 0.40,
-                        .min = 0,
-                        .max = 10,
-                        .help = {"Avoids when a sonar reads this or less", "Evita si un sonar lee esto o menos"}},
-    ParameterDescriptor{.name = "max_range_m",
-                        .unit = "m",
-                        .preset = 3.0,
-                        .min = 0.1,
-                        .max = 100,
-                        .help = {"What a sonar with nothing in range counts as", "Lo que vale un sonar sin eco"},
-                        .ours = true},
-    ParameterDescriptor{.name = "gain_per_m",
-                        .unit = "1/m",
-                        .preset = 0.25,
-                        .min = 0,
-                        .max = 100,
-                        .help = {"Duty of the turn for each metre of difference (3 of 1200 counts per cm)",
-                                 "Ciclo de trabajo del giro por metro de diferencia (3 de 1200 cuentas por cm)"}},
-    ParameterDescriptor{.name = "straight_m",
-                        .unit = "m",
-                        .preset = 0.10,
-                        .min = 0,
-                        .max = 10,
-                        .help = {"Goes straight on while the difference is below this; listing: 4 cm",
-                                 "Sigue recto mientras la diferencia es menor; listing: 4 cm"}},
-    ParameterDescriptor{.name = "straight_hysteresis_m",
-                        .unit = "m",
-                        .preset = 0.04,
-                        .min = 0,
-                        .max = 10,
-                        .help = {"So much more until it turns again", "Tanto más hasta volver a girar"},
-                        .ours = true},
-    ParameterDescriptor{.name = "forward_duty",
-                        .preset = 1.0 / 3,
-                        .min = 0,
-                        .max = 1,
-                        .help = {"Duty straight ahead with all at trigger_range_m",
-                                 "Ciclo de trabajo hacia delante con todo a trigger_range_m"}},
-    ParameterDescriptor{.name = "fade_m",
-                        .unit = "m",
-                        .preset = 1.0,
-                        .min = 0.01,
-                        .max = 100,
-                        .help = {"Difference at which it turns on the spot", "Diferencia con que gira en el sitio"},
-                        .ours = true},
-    ParameterDescriptor{.name = "stop_range_m",
-                        .unit = "m",
-                        .preset = 0.12,
-                        .min = 0,
-                        .max = 10,
-                        .help = {"Nearest range at which the speed ahead has fallen to 0",
-                                 "Distancia a la que la velocidad hacia delante llega a 0"},
-                        .ours = true},
-    ParameterDescriptor{.name = "commit_range_m",
-                        .unit = "m",
-                        .preset = 0.25,
-                        .min = 0,
-                        .max = 10,
-                        .help = {"Nearest range at which it commits itself to one side",
-                                 "Distancia a la que se compromete con un lado"},
-                        .ours = true},
-    ParameterDescriptor{
-        .name = "commit_s",
-        .unit = "s",
-        .preset = 2.0,
-        .min = 0,
-        .max = 60,
-        .help = {"Keeps to that side for so long after it is clear", "Mantiene ese lado este tiempo tras quedar libre"},
-        .ours = true},
-    ParameterDescriptor{
-        .name = "min_turn_duty",
-        .preset = 0.3,
-        .min = 0,
-        .max = 1,
-        .help = {"Least duty of the turn while committed", "Ciclo de trabajo mínimo del giro comprometido"},
-        .ours = true},
-    ParameterDescriptor{.name = "commit_reversals",
-                        .type = ParameterType::Integer,
-                        .preset = 3,
-                        .min = 1,
-                        .max = 1000,
-                        .help = {"Commits itself, too, once the freer side has changed so often",
-                                 "También se compromete cuando el lado más libre ha cambiado tantas veces"},
-                        .ours = true},
-    ParameterDescriptor{.name = "side_memory_s",
-                        .unit = "s",
-                        .preset = 30,
-                        .min = 0,
-                        .max = 3600,
-                        .help = {"For so long it takes the side of last time where both are about equal",
-                                 "Durante este tiempo toma el lado de la última vez si ambos son casi iguales"},
-                        .ours = true},
-    ParameterDescriptor{.name = "undecided_m",
-                        .unit = "m",
-                        .preset = 0.14,
-                        .min = 0,
-                        .max = 10,
-                        .help = {"Both sides are about equal while they differ by less than this",
-                                 "Ambos lados son casi iguales si difieren en menos que esto"},
-                        .ours = true},
-    subsumption::kOneSonarShareParameter,
+    subsumption::preset_parameter<Config>(),
+    parameter<Config, &Config::trigger_range_m>(
+        {.name = "trigger_range_m",
+         .title = {"trigger range", "distancia de disparo"},
+         .help = {"Avoids when a sonar reads this or less", "Evita si un sonar lee esto o menos"},
+         .unit = "m",
+         .min = 0,
+         .max = 10,
+         .live = true}),
+    parameter<Config, &Config::max_range_m>(
+        {.name = "max_range_m",
+         .title = {"maximum range", "alcance máximo"},
+         .help = {"What a sonar with nothing in range counts as", "Lo que vale un sonar sin eco"},
+         .unit = "m",
+         .min = 0.1,
+         .max = 100,
+         .ours = true,
+         .live = true}),
+    parameter<Config, &Config::gain_per_m>(
+        {.name = "gain_per_m",
+         .title = {"turn gain", "ganancia del giro"},
+         .help = {"Duty of the turn for each metre of difference (3 of 1200 counts per cm)",
+                  "Ciclo de trabajo del giro por metro de diferencia (3 de 1200 cuentas por cm)"},
+         .unit = "1/m",
+         .min = 0,
+         .max = 100,
+         .live = true}),
+    parameter<Config, &Config::straight_m>(
+        {.name = "straight_m",
+         .title = {"straight band", "banda recta"},
+         .help = {"Goes straight on while the difference is below this; listing: 4 cm",
+                  "Sigue recto mientras la diferencia es menor; listing: 4 cm"},
+         .unit = "m",
+         .min = 0,
+         .max = 10,
+         .live = true}),
+    parameter<Config, &Config::straight_hysteresis_m>(
+        {.name = "straight_hysteresis_m",
+         .title = {"straight hysteresis", "histéresis de banda"},
+         .help = {"So much more until it turns again", "Tanto más hasta volver a girar"},
+         .unit = "m",
+         .min = 0,
+         .max = 10,
+         .ours = true,
+         .live = true}),
+    parameter<Config, &Config::forward_duty>({.name = "forward_duty",
+                                              .title = {"forward duty", "ciclo de trabajo de avance"},
+                                              .help = {"Duty straight ahead with all at trigger_range_m",
+                                                       "Ciclo de trabajo hacia delante con todo a trigger_range_m"},
+                                              .min = 0,
+                                              .max = 1,
+                                              .live = true}),
+    parameter<Config, &Config::fade_m>(
+        {.name = "fade_m",
+         .title = {"fade difference", "diferencia de atenuación"},
+         .help = {"Difference at which it turns on the spot", "Diferencia con que gira en el sitio"},
+         .unit = "m",
+         .min = 0.01,
+         .max = 100,
+         .ours = true,
+         .live = true}),
+    parameter<Config, &Config::stop_range_m>({.name = "stop_range_m",
+                                              .title = {"stop range", "distancia de parada"},
+                                              .help = {"Nearest range at which the speed ahead has fallen to 0",
+                                                       "Distancia a la que la velocidad hacia delante llega a 0"},
+                                              .unit = "m",
+                                              .min = 0,
+                                              .max = 10,
+                                              .ours = true,
+                                              .live = true}),
+    parameter<Config, &Config::commit_range_m>({.name = "commit_range_m",
+                                                .title = {"commit range", "distancia de compromiso"},
+                                                .help = {"Nearest range at which it commits itself to one side",
+                                                         "Distancia a la que se compromete con un lado"},
+                                                .unit = "m",
+                                                .min = 0,
+                                                .max = 10,
+                                                .ours = true,
+                                                .live = true}),
+    parameter<Config, &Config::commit_s>({.name = "commit_s",
+                                          .title = {"commit time", "tiempo de compromiso"},
+                                          .help = {"Keeps to that side for so long after it is clear",
+                                                   "Mantiene ese lado este tiempo tras quedar libre"},
+                                          .unit = "s",
+                                          .min = 0,
+                                          .max = 60,
+                                          .ours = true,
+                                          .live = true}),
+    parameter<Config, &Config::min_turn_duty>(
+        {.name = "min_turn_duty",
+         .title = {"least turn duty", "ciclo de trabajo mínimo"},
+         .help = {"Least duty of the turn while committed", "Ciclo de trabajo mínimo del giro comprometido"},
+         .min = 0,
+         .max = 1,
+         .ours = true,
+         .live = true}),
+    parameter<Config, &Config::commit_reversals>(
+        {.name = "commit_reversals",
+         .title = {"commit reversals", "cambios hasta comprometerse"},
+         .help = {"Commits itself, too, once the freer side has changed so often",
+                  "También se compromete cuando el lado más libre ha cambiado tantas veces"},
+         .min = 1,
+         .max = 1000,
+         .ours = true,
+         .live = true}),
+    parameter<Config, &Config::side_memory_s>(
+        {.name = "side_memory_s",
+         .title = {"side memory", "memoria del lado"},
+         .help = {"For so long it takes the side of last time where both are about equal",
+                  "Durante este tiempo toma el lado de la última vez si ambos son casi iguales"},
+         .unit = "s",
+         .min = 0,
+         .max = 3600,
+         .ours = true,
+         .live = true}),
+    parameter<Config, &Config::undecided_m>({.name = "undecided_m",
+                                             .title = {"undecided band", "banda de indecisión"},
+                                             .help = {"Both sides are about equal while they differ by less than this",
+                                                      "Ambos lados son casi iguales si difieren en menos que esto"},
+                                             .unit = "m",
+                                             .min = 0,
+                                             .max = 10,
+                                             .ours = true,
+                                             .live = true}),
+    subsumption::one_sonar_share_parameter<Config>(),
 };
 
 }  // namespace
 
-Result<AvoidObstacleConfig> AvoidObstacleConfig::from(const Parameters& parameters) {
-  if (auto fixed = subsumption::check_listing(parameters); !fixed) return tl::unexpected(fixed.error());
-  AvoidObstacleConfig config;
-  config.preset = subsumption::preset_of(parameters);
-  config.trigger_range_m = parameters.real("trigger_range_m");
-  config.max_range_m = parameters.real("max_range_m");
-  config.gain_per_m = parameters.real("gain_per_m");
-  config.straight_m = parameters.real("straight_m");
-  config.straight_hysteresis_m = parameters.real("straight_hysteresis_m");
-  config.forward_duty = parameters.real("forward_duty");
-  config.fade_m = parameters.real("fade_m");
-  config.stop_range_m = parameters.real("stop_range_m");
-  config.commit_range_m = parameters.real("commit_range_m");
-  config.commit_s = parameters.real("commit_s");
-  config.min_turn_duty = parameters.real("min_turn_duty");
-  config.commit_reversals = parameters.integer("commit_reversals");
-  config.side_memory_s = parameters.real("side_memory_s");
-  config.undecided_m = parameters.real("undecided_m");
-  config.one_sonar_share = parameters.real("one_sonar_share");
+Result<void> AvoidObstacle::judge(const AvoidObstacleConfig& config, const Parameters& parameters) {
+  if (auto fixed = subsumption::check_listing(config.preset, parameters); !fixed) return fixed;
   if (!(config.stop_range_m < config.commit_range_m && config.commit_range_m <= config.trigger_range_m)) {
     return fail(ErrorCode::BadParameter,
                 {"must be stop_range_m < commit_range_m <= trigger_range_m, are {}, {}, {}: it could come to a stand",
                  "debe ser stop_range_m < commit_range_m <= trigger_range_m, son {}, {}, {}: podría quedarse parado"},
                 config.stop_range_m, config.commit_range_m, config.trigger_range_m);
   }
-  return config;
-}
-
-Result<std::unique_ptr<ActingModule>> AvoidObstacle::make(const Parameters& parameters) {
-  const auto config = AvoidObstacleConfig::from(parameters);
-  if (!config) return tl::unexpected(config.error());
-  return std::make_unique<AvoidObstacle>(*config);
+  return {};
 }
 
 Command AvoidObstacle::internal_propagation(const Request&, const Feedback& feedback) noexcept {
@@ -261,6 +263,6 @@ extern constinit const ActingModuleKind avoid_obstacle_kind{
                    .ports = kPorts,
                    .parameters = kParameters,
                    .source = "Alonso, robot Nimrod, sections 3 and 5 (EVITAR)"},
-    .make = AvoidObstacle::make};
+    .make = make_bound<ActingModule, AvoidObstacle, AvoidObstacleConfig>};
 
 }  // namespace ganglion

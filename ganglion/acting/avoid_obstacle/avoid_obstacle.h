@@ -24,8 +24,6 @@ struct AvoidObstacleConfig {
   double side_memory_s = 30;
   double undecided_m = 0.14;
   double one_sonar_share = 0.5;
-
-  static Result<AvoidObstacleConfig> from(const Parameters& parameters);
 };
 
 /// Turns towards the side with more room while something is near. A behaviour: inactive where both sides are clear.
@@ -50,7 +48,7 @@ class AvoidObstacle final : public ActingModule {
  public:
   explicit AvoidObstacle(const AvoidObstacleConfig& config) noexcept : config_(config) {}
   /// Fails with BadParameter where the ranges are not in order, or the listing preset meets a parameter that it fixes.
-  static Result<std::unique_ptr<ActingModule>> make(const Parameters& parameters);
+  static Result<void> judge(const AvoidObstacleConfig& config, const Parameters& parameters);
 
  private:
   void internal_adaptation(const Feedback&, Cost) noexcept override {}  // a reflex: nothing is learned

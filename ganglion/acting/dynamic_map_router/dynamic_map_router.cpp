@@ -26,55 +26,12 @@ bool whole_cell(std::span<const double> request) noexcept {
   return whole(request[0]) && whole(request[1]);
 }
 
-/// What is wrong with a configuration, or nothing.
-Text fault_in(const DynamicMapRouterConfig& config) noexcept {
-  const auto ratio = [](double v) { return v >= 0 && v < 1; };
-  const grid::RiskRule& risk = config.risk;
-  if (!(config.cell_m > 0) || !std::isfinite(config.cell_m)) return {"cell_m must be > 0", "cell_m debe ser > 0"};
-  if (config.max_tiles < 1 || config.max_tiles > 4096)
-    return {"max_tiles must be in [1, 4096]", "max_tiles debe estar en [1, 4096]"};
-  if (config.router.window_cells < 16 || config.router.window_cells > 1024)
-    return {"window_cells must be in [16, 1024]", "window_cells debe estar en [16, 1024]"};
-  const int turn = config.router.max_turn;
-  if (turn != 1 && turn != 2 && turn != 4)
-    return {"max_turn_deg must be 45, 90 or 180", "max_turn_deg debe ser 45, 90 o 180"};
-  const double backward = config.router.backward_weight;
-  if (!(backward >= 1 && backward <= 100))
-    return {"backward_weight must be in [1, 100]", "backward_weight debe estar en [1, 100]"};
-  if (!ratio(risk.first_risk) || !ratio(risk.failure_step) || !ratio(config.price.secure_risk)) {
-    return {"secure_risk, first_risk and failure_step must be in [0, 1)",
-            "secure_risk, first_risk y failure_step deben estar en [0, 1)"};
-  }
-  const auto relief = [](double v) { return v >= 0 && v <= 1; };
-  if (!relief(risk.static_relief) || !relief(risk.dynamic_relief))
-    return {"reliefs must be in [0, 1]", "static_relief y dynamic_relief deben estar en [0, 1]"};
-  if (risk.inhibition_base > 1000 || risk.inhibition_span > 1000)
-    return {"inhibitions must be in [0, 1000] ticks", "las inhibiciones deben estar en [0, 1000] ciclos"};
-  const double weight = config.price.risk_weight;
-  if (!(weight >= 0 && weight <= 1000))
-    return {"risk_weight must be in [0, 1000]", "risk_weight debe estar en [0, 1000]"};
-  const grid::UnexploredRule& unexplored = config.price.unexplored;
-  if (!ratio(unexplored.open_risk) || !ratio(unexplored.beside_risk) || !ratio(unexplored.between_risk)) {
-    return {"open_risk, beside_risk and between_risk must be in [0, 1)",
-            "open_risk, beside_risk y between_risk deben estar en [0, 1)"};
-  }
-  if (!(unexplored.weight >= 0 && unexplored.weight <= 1000))
-    return {"unexplored_weight must be in [0, 1000]", "unexplored_weight debe estar en [0, 1000]"};
-  if (unexplored.wall_reach_cells < 1 || unexplored.wall_reach_cells > 64)
-    return {"wall_reach_cells must be in [1, 64]", "wall_reach_cells debe estar en [1, 64]"};
-  if (config.rounds < 1 || config.dynamic_tries < 1 || config.dynamic_tries > 100 || config.go_back_steps < 0 ||
-      config.go_back_steps > 100000) {
-    return {"rounds must be >= 1, dynamic_tries in [1, 100], go_back_steps in [0, 100000]",
-            "rounds debe ser >= 1, dynamic_tries debe estar en [1, 100] y go_back_steps en [0, 100000]"};
-  }
-  return config.patience_s >= 0 ? Text{"", ""} : Text{"patience_s must be >= 0", "patience_s debe ser >= 0"};
-}
-
 }  // namespace
 
-Result<std::unique_ptr<DynamicMapRouter>> DynamicMapRouter::make(const DynamicMapRouterConfig& config) {
-  if (const auto fault = fault_in(config); !fault.empty()) return fail(ErrorCode::BadParameter, {"{}", "{}"}, fault);
-  return std::unique_ptr<DynamicMapRouter>(new DynamicMapRouter(config));
+Result<void> DynamicMapRouter::judge(DynamicMapRouterConfig& config) {
+  config.router.max_turn = config.max_turn_deg / 45;
+  config.price.secure_weighs_cost = config.secure_by == SecureBy::Cost;
+  return {};
 }
 
 DynamicMapRouter::DynamicMapRouter(const DynamicMapRouterConfig& config)

@@ -11,9 +11,15 @@
 
 namespace ganglion {
 
+/// What secure routes minimise.
+enum class SecureBy { Cost, Length };
+
+/// The ranges of its values are those of the kind's parameters.
 struct DynamicMapRouterConfig {
-  double cell_m = 0.5;  ///< Side of a cell: the robot's largest dimension.
-  int max_tiles = 64;   ///< Of 64 x 64 cells, 128 KiB each.
+  double cell_m = 0.5;                  ///< Side of a cell: the robot's largest dimension.
+  int max_turn_deg = 45;                ///< Most that one step may turn the heading; see DynamicMapRouter::judge().
+  int max_tiles = 64;                   ///< Of 64 x 64 cells, 128 KiB each.
+  SecureBy secure_by = SecureBy::Cost;  ///< See DynamicMapRouter::judge().
   grid::RiskRule risk{};
   grid::PriceRule price{};
   grid::RouterRule router{};
@@ -57,8 +63,9 @@ class DynamicMapRouter final : public ActingModule {
     kGoalError
   };
 
-  /// Fails with BadParameter where a value is outside its descriptor's range.
-  static Result<std::unique_ptr<DynamicMapRouter>> make(const DynamicMapRouterConfig& config);
+  explicit DynamicMapRouter(const DynamicMapRouterConfig& config);
+  /// Works out router.max_turn of max_turn_deg, and price.secure_weighs_cost of secure_by. Fails never.
+  static Result<void> judge(DynamicMapRouterConfig& config);
 
   void grow() override;
   std::span<const Command> plan() const noexcept override;
@@ -71,8 +78,6 @@ class DynamicMapRouter final : public ActingModule {
   Phase phase() const noexcept { return phase_; }
 
  private:
-  explicit DynamicMapRouter(const DynamicMapRouterConfig& config);
-
   void internal_adaptation(const Feedback& feedback, Cost cost) noexcept override;
   Command internal_propagation(const Request& request, const Feedback& feedback) noexcept override;
   void expected_feedback(std::span<double> appraisal) const noexcept override;

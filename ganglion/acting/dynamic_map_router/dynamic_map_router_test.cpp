@@ -133,7 +133,7 @@ TEST(DynamicMapRouter, AvoidsGroundThatProvedDear) {
 TEST(DynamicMapRouter, MapsAlsoWithARobotThatReportsNoCost) {
   GridBot bot({"#######", "#..#..#", "#.....#", "#######"});
   bot.column = 1, bot.row = 2;
-  auto module = DynamicMapRouter::make(Drive::small()).value();
+  auto module = std::make_unique<DynamicMapRouter>(Drive::small());
   RequestBench bench(*module, dynamic_map_router_kind.descriptor, {"cell", "heading"});
   bench.ask({3, 2});
   for (int i = 0; i < 10; ++i) {
@@ -217,7 +217,7 @@ const Command& frame(RequestBench& bench, double column, double row, double head
 
 TEST(DynamicMapRouter, HoldsWhileTheCellIsUnknownAndGivesUpAfterItsPatience) {
   for (const double lost : {kNan, kInf, -kInf}) {
-    auto module = DynamicMapRouter::make(Drive::small()).value();
+    auto module = std::make_unique<DynamicMapRouter>(Drive::small());
     RequestBench bench(*module, dynamic_map_router_kind.descriptor, {"cell", "heading"}, 1.0);
     bench.ask({8, 5});
     EXPECT_EQ(frame(bench, 5, 5, 0).kind, CommandKind::Act);
@@ -230,7 +230,7 @@ TEST(DynamicMapRouter, HoldsWhileTheCellIsUnknownAndGivesUpAfterItsPatience) {
 }
 
 TEST(DynamicMapRouter, JudgesAStepOnceReadingsReturn) {
-  auto module = DynamicMapRouter::make(Drive::small()).value();
+  auto module = std::make_unique<DynamicMapRouter>(Drive::small());
   RequestBench bench(*module, dynamic_map_router_kind.descriptor, {"cell", "heading"});
   bench.ask({8, 5});
   frame(bench, 5, 5, 0);
@@ -265,7 +265,8 @@ TEST(DynamicMapRouter, LearnsNothingFromAStepThatAnotherModuleOverruled) {
 /// The module above a slot that a test answers.
 class Above {
  public:
-  Above() : module(DynamicMapRouter::make(Drive::small()).value()), bench(*module, dynamic_map_router_kind.descriptor) {
+  Above()
+      : module(std::make_unique<DynamicMapRouter>(Drive::small())), bench(*module, dynamic_map_router_kind.descriptor) {
     bench.join_below(below);
     bench.ports().set("cell", {5, 5});
     bench.ports().set("heading", {0});
@@ -320,13 +321,28 @@ TEST(DynamicMapRouter, AllocatesNothingInATick) {
   EXPECT_GT(bot.bumps, 0);
 }
 
-TEST(DynamicMapRouter, IsMadeFromItsParametersAndRefusesAnglesItCannotSteer) {
-  Parameters parameters(dynamic_map_router_kind.descriptor.parameters);
-  EXPECT_TRUE(dynamic_map_router_kind.make(parameters));
-  parameters.set("max_turn_deg", 60);
-  const auto made = dynamic_map_router_kind.make(parameters);
-  ASSERT_FALSE(made);
-  EXPECT_EQ(made.error().code, ErrorCode::BadParameter);
+TEST(DynamicMapRouter, IsMadeFromItsParametersAndTurnsByEighthsOfATurn) {
+  const Descriptor& descriptor = dynamic_map_router_kind.descriptor;
+  EXPECT_TRUE(dynamic_map_router_kind.make(Parameters(descriptor.parameters)));
+  const auto turns = descriptor.parameter("max_turn_deg")->allowed;
+  EXPECT_EQ(std::vector<double>(turns.begin(), turns.end()), (std::vector<double>{45, 90, 180}));
+  for (const double turn_deg : turns) {
+    Parameters parameters(descriptor.parameters);
+    parameters.set("max_turn_deg", turn_deg);
+    auto config = parameters.filled<DynamicMapRouterConfig>();
+    EXPECT_TRUE(DynamicMapRouter::judge(config));
+    EXPECT_EQ(config.router.max_turn, turn_deg / 45);
+  }
+}
+
+TEST(DynamicMapRouter, WeighsCostInSecureRoutesUnlessToldToGoByLength) {
+  for (const auto secure_by : {SecureBy::Cost, SecureBy::Length}) {
+    Parameters parameters(dynamic_map_router_kind.descriptor.parameters);
+    parameters.set("secure_by", static_cast<double>(secure_by));
+    auto config = parameters.filled<DynamicMapRouterConfig>();
+    EXPECT_TRUE(DynamicMapRouter::judge(config));
+    EXPECT_EQ(config.price.secure_weighs_cost, secure_by == SecureBy::Cost);
+  }
 }
 
 TEST(DynamicMapRouter, DescribesItselfInBothLanguages) {

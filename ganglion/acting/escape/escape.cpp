@@ -8,6 +8,7 @@
 namespace ganglion {
 namespace {
 
+using Config = EscapeConfig;
 using subsumption::Preset;
 
 enum Input : std::size_t { kLeft, kRight, kHeading, kSide };
@@ -23,118 +24,120 @@ constexpr std::array kPorts = {
     subsumption::sonar_port(true),
     subsumption::sonar_port(false),
     PortDescriptor{.name = "heading",
+                   .title = {"heading", "rumbo"},
+                   .help = {"Yaw, to measure a half turn by", "Rumbo, para medir la media vuelta"},
                    .unit = "rad",
                    .type = ValueType::Circular,
-                   .required = false,
-                   .help = {"Yaw, to measure a half turn by", "Rumbo, para medir la media vuelta"}},
+                   .required = false},
     PortDescriptor{.name = "side",
-                   .type = ValueType::Discrete,
-                   .required = false,
+                   .title = {"side", "lado"},
                    .help = {"Side to turn to whatever the sonars say: -1 left, 1 right; 0 leaves it to them. Of "
                             "AvoidObstacle: \"avoid.side@previous\"",
                             "Lado al que girar digan lo que digan los sonares: -1 izquierda, 1 derecha; 0 lo deja a "
-                            "ellos. De AvoidObstacle: \"avoid.side@previous\""}},
+                            "ellos. De AvoidObstacle: \"avoid.side@previous\""},
+                   .type = ValueType::Discrete,
+                   .required = false},
     subsumption::kTracksPort,
-    PortDescriptor{.name = "stuck",
-                   .role = PortRole::Output,
-                   .type = ValueType::Discrete,
-                   .help = {"1 during an escape that follows too many others",
-                            "1 durante un escape que sigue a demasiados otros"}},
+    PortDescriptor{
+        .name = "stuck",
+        .title = {"stuck", "atascado"},
+        .help = {"1 during an escape that follows too many others", "1 durante un escape que sigue a demasiados otros"},
+        .role = PortRole::Output,
+        .type = ValueType::Discrete,
+        .meaning = Meaning::StandsOnPurpose},
     PortDescriptor{.name = "phase",
+                   .title = {"phase", "fase"},
+                   .help = {"0 idle, 1 back, 2 turn, 3 half turn", "0 en reposo, 1 atrás, 2 giro, 3 media vuelta"},
                    .role = PortRole::Output,
-                   .type = ValueType::Discrete,
-                   .help = {"0 idle, 1 back, 2 turn, 3 half turn", "0 en reposo, 1 atrás, 2 giro, 3 media vuelta"}},
+                   .type = ValueType::Discrete},
 };
 
 constexpr std::array kParameters = {
-    subsumption::kPresetParameter,
-    ParameterDescriptor{.name = "trigger_range_m",
-                        .unit = "m",
-                        .preset = 0.10,
-                        .min = 0,
-                        .max = 10,
-                        .help = {"Escapes when a sonar reads this or less", "Escapa si un sonar lee esto o menos"}},
-    ParameterDescriptor{.name = "max_range_m",
-                        .unit = "m",
-                        .preset = 3.0,
-                        .min = 0.1,
-                        .max = 100,
-                        .help = {"What a sonar with nothing in range counts as when the freer side is sought",
-                                 "Lo que vale un sonar sin eco al buscar el lado más libre"},
-                        .ours = true},
-    ParameterDescriptor{.name = "back_s",
-                        .unit = "s",
-                        .preset = 2.0,
-                        .min = 0,
-                        .max = 60,
-                        .help = {"Time of backing off", "Tiempo de retroceso"}},
-    ParameterDescriptor{
-        .name = "back_duty",
-        .preset = 1.0 / 6,
-        .min = 0,
-        .max = 1,
-        .help = {"Duty of both tracks while backing off", "Ciclo de trabajo de ambas orugas al retroceder"}},
-    ParameterDescriptor{.name = "turn_s",
-                        .unit = "s",
-                        .preset = 1.5,
-                        .min = 0,
-                        .max = 60,
-                        .help = {"Time of the turn; listing: 0.8 s", "Tiempo del giro; listing: 0,8 s"}},
-    ParameterDescriptor{.name = "turn_duty",
-                        .preset = 0.3,
-                        .min = 0,
-                        .max = 1,
-                        .help = {"Duty of the turn, one track against the other; listing: 1/6",
-                                 "Ciclo de trabajo del giro, una oruga contra la otra; listing: 1/6"},
-                        .ours = true},
-    ParameterDescriptor{.name = "stuck_escapes",
-                        .type = ParameterType::Integer,
-                        .preset = 3,
-                        .min = 2,
-                        .max = Escape::kMaxStuckEscapes,
-                        .help = {"So many escapes within stuck_window_s mean stuck",
-                                 "Tantos escapes en stuck_window_s significan atascado"},
-                        .ours = true},
-    ParameterDescriptor{.name = "stuck_window_s",
-                        .unit = "s",
-                        .preset = 20,
-                        .min = 0,
-                        .max = 3600,
-                        .help = {"Time in which escapes add up to stuck; 0 = never stuck",
-                                 "Tiempo en que los escapes se suman; 0 = nunca atascado"},
-                        .ours = true},
-    ParameterDescriptor{.name = "half_turn_s",
-                        .unit = "s",
-                        .preset = 4.7,
-                        .min = 0,
-                        .max = 60,
-                        .help = {"Time of the half turn without a heading; with one, at most twice this",
-                                 "Tiempo de la media vuelta sin rumbo; con rumbo, a lo sumo el doble"},
-                        .ours = true},
+    subsumption::preset_parameter<Config>(),
+    parameter<Config, &Config::trigger_range_m>(
+        {.name = "trigger_range_m",
+         .title = {"trigger range", "distancia de disparo"},
+         .help = {"Escapes when a sonar reads this or less", "Escapa si un sonar lee esto o menos"},
+         .unit = "m",
+         .min = 0,
+         .max = 10,
+         .live = true}),
+    parameter<Config, &Config::max_range_m>(
+        {.name = "max_range_m",
+         .title = {"maximum range", "alcance máximo"},
+         .help = {"What a sonar with nothing in range counts as when the freer side is sought",
+                  "Lo que vale un sonar sin eco al buscar el lado más libre"},
+         .unit = "m",
+         .min = 0.1,
+         .max = 100,
+         .ours = true,
+         .live = true}),
+    parameter<Config, &Config::back_s>({.name = "back_s",
+                                        .title = {"backing time", "tiempo de retroceso"},
+                                        .help = {"Time of backing off", "Tiempo de retroceso"},
+                                        .unit = "s",
+                                        .min = 0,
+                                        .max = 60,
+                                        .live = true}),
+    parameter<Config, &Config::back_duty>(
+        {.name = "back_duty",
+         .title = {"backing duty", "ciclo de trabajo de retroceso"},
+         .help = {"Duty of both tracks while backing off", "Ciclo de trabajo de ambas orugas al retroceder"},
+         .min = 0,
+         .max = 1,
+         .live = true}),
+    parameter<Config, &Config::turn_s>({.name = "turn_s",
+                                        .title = {"turn time", "tiempo de giro"},
+                                        .help = {"Time of the turn; listing: 0.8 s", "Tiempo del giro; listing: 0,8 s"},
+                                        .unit = "s",
+                                        .min = 0,
+                                        .max = 60,
+                                        .live = true}),
+    parameter<Config, &Config::turn_duty>(
+        {.name = "turn_duty",
+         .title = {"turn duty", "ciclo de trabajo de giro"},
+         .help = {"Duty of the turn, one track against the other; listing: 1/6",
+                  "Ciclo de trabajo del giro, una oruga contra la otra; listing: 1/6"},
+         .min = 0,
+         .max = 1,
+         .ours = true,
+         .live = true}),
+    parameter<Config, &Config::stuck_escapes>({.name = "stuck_escapes",
+                                               .title = {"stuck escapes", "escapes de atasco"},
+                                               .help = {"So many escapes within stuck_window_s mean stuck",
+                                                        "Tantos escapes en stuck_window_s significan atascado"},
+                                               .min = 2,
+                                               .max = Escape::kMaxStuckEscapes,
+                                               .ours = true}),
+    parameter<Config, &Config::stuck_window_s>({.name = "stuck_window_s",
+                                                .title = {"stuck window", "ventana de atasco"},
+                                                .help = {"Time in which escapes add up to stuck; 0 = never stuck",
+                                                         "Tiempo en que los escapes se suman; 0 = nunca atascado"},
+                                                .unit = "s",
+                                                .min = 0,
+                                                .max = 3600,
+                                                .ours = true,
+                                                .live = true}),
+    parameter<Config, &Config::half_turn_s>(
+        {.name = "half_turn_s",
+         .title = {"half-turn time", "tiempo de media vuelta"},
+         .help = {"Time of the half turn without a heading; with one, at most twice this",
+                  "Tiempo de la media vuelta sin rumbo; con rumbo, a lo sumo el doble"},
+         .unit = "s",
+         .min = 0,
+         .max = 60,
+         .ours = true,
+         .live = true}),
 };
 
 }  // namespace
 
-Result<EscapeConfig> EscapeConfig::from(const Parameters& parameters) {
-  if (auto fixed = subsumption::check_listing(parameters); !fixed) return tl::unexpected(fixed.error());
-  EscapeConfig config;
-  config.preset = subsumption::preset_of(parameters);
-  config.trigger_range_m = parameters.real("trigger_range_m");
-  config.max_range_m = parameters.real("max_range_m");
-  config.back_s = parameters.real("back_s");
-  config.back_duty = parameters.real("back_duty");
-  config.turn_s = config.preset == Preset::Listing ? kListingTurn_s : parameters.real("turn_s");
-  config.turn_duty = config.preset == Preset::Listing ? kListingTurnDuty : parameters.real("turn_duty");
-  config.stuck_escapes = parameters.integer("stuck_escapes");
-  config.stuck_window_s = config.preset == Preset::Listing ? 0 : parameters.real("stuck_window_s");
-  config.half_turn_s = parameters.real("half_turn_s");
-  return config;
-}
-
-Result<std::unique_ptr<ActingModule>> Escape::make(const Parameters& parameters) {
-  const auto config = EscapeConfig::from(parameters);
-  if (!config) return tl::unexpected(config.error());
-  return std::make_unique<Escape>(*config);
+Result<void> Escape::judge(EscapeConfig& config, const Parameters& parameters) {
+  if (config.preset != Preset::Listing) return {};
+  config.turn_s = kListingTurn_s;
+  config.turn_duty = kListingTurnDuty;
+  config.stuck_window_s = 0;
+  return subsumption::check_listing(config.preset, parameters);
 }
 
 Command Escape::internal_propagation(const Request&, const Feedback& feedback) noexcept {
@@ -223,6 +226,6 @@ extern constinit const ActingModuleKind escape_kind{
                    .ports = kPorts,
                    .parameters = kParameters,
                    .source = "Alonso, robot Nimrod, sections 3 and 5 (ESCAPE)"},
-    .make = Escape::make};
+    .make = make_bound<ActingModule, Escape, EscapeConfig>};
 
 }  // namespace ganglion

@@ -19,8 +19,6 @@ struct EscapeConfig {
   int stuck_escapes = 3;
   double stuck_window_s = 20;
   double half_turn_s = 4.7;
-
-  static Result<EscapeConfig> from(const Parameters& parameters);
 };
 
 /// Backs off and turns away once something is too near. A behaviour: it needs no request and is inactive otherwise.
@@ -42,8 +40,9 @@ class Escape final : public ActingModule {
   static constexpr int kMaxStuckEscapes = 8;
 
   explicit Escape(const EscapeConfig& config) noexcept : config_(config) {}
-  /// Fails with BadParameter where the listing preset meets a parameter that it fixes.
-  static Result<std::unique_ptr<ActingModule>> make(const Parameters& parameters);
+  /// Puts in what the listing preset turns by, and that it is never stuck. Fails with BadParameter where that preset
+  /// meets a parameter that it fixes.
+  static Result<void> judge(EscapeConfig& config, const Parameters& parameters);
 
  private:
   void internal_adaptation(const Feedback&, Cost) noexcept override {}  // a reflex: nothing is learned

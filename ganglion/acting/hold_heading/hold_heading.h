@@ -21,14 +21,12 @@ struct HoldHeadingConfig {
   double max_hold_s = 48;
   double hold_return = 0;
   double calm_s = 5.0;
-  double agreement_deg = 5;
+  Angle agreement = Angle::from_deg(5);
   double patience_s = 0.5;
   double blind_share = 0.5;
   double slow_range_m = 0.60;
   double least_share = 0.3;
   double one_sonar_share = 0.5;
-
-  static Result<HoldHeadingConfig> from(const Parameters& parameters);
 };
 
 /// Drives along a course by compass; after being displaced by another behaviour it holds for a while the heading which
@@ -56,10 +54,11 @@ struct HoldHeadingConfig {
 ///           looked at.
 class HoldHeading final : public ActingModule {
  public:
-  explicit HoldHeading(const HoldHeadingConfig& config) noexcept
-      : config_(config), learner_(Angle::from_deg(config.agreement_deg).rad()) {}
+  explicit HoldHeading(const HoldHeadingConfig& config) noexcept : config_(config), learner_(config.agreement.rad()) {}
   /// Fails with BadParameter where the listing preset meets a parameter that it fixes.
-  static Result<std::unique_ptr<ActingModule>> make(const Parameters& parameters);
+  static Result<void> judge(const HoldHeadingConfig& config, const Parameters& parameters) {
+    return subsumption::check_listing(config.preset, parameters);
+  }
 
  private:
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();

@@ -18,26 +18,27 @@ namespace ganglion::subsumption {
 enum class Preset { Recommended, Listing };
 inline constexpr std::array<std::string_view, 2> kPresets = {"recommended", "listing"};
 
-inline constexpr ParameterDescriptor kPresetParameter{
-    .name = "preset",
-    .type = ParameterType::Choice,
-    .choices = kPresets,
-    .help = {"recommended, or listing: what the paper's program does, defects included; it fixes all other parameters",
-             "recommended, o listing: lo que hace el programa del artículo, con sus defectos; fija los demás "
-             "parámetros"}};
-
-inline Preset preset_of(const Parameters& parameters) {
-  return parameters.choice_index("preset") == 1 ? Preset::Listing : Preset::Recommended;
+/// Of a kind whose Config has a member `Preset preset`.
+template <class Config>
+consteval ParameterDescriptor preset_parameter() {
+  return parameter<Config, &Config::preset>(
+      {.name = "preset",
+       .title = {"preset", "preajuste"},
+       .help =
+           {"recommended, or listing: what the paper's program does, defects included; it fixes all other parameters",
+            "recommended, o listing: lo que hace el programa del artículo, con sus defectos; fija los demás "
+            "parámetros"},
+       .choices = kPresets});
 }
 
-/// Fails with BadParameter where the listing is asked for and a parameter that it fixes was given another value.
-inline Result<void> check_listing(const Parameters& parameters) {
-  if (preset_of(parameters) != Preset::Listing) return {};
+/// Fails with BadParameter where the listing is asked for and a parameter that it fixes was given another value than its
+/// default.
+inline Result<void> check_listing(Preset preset, const Parameters& parameters) {
+  if (preset != Preset::Listing) return {};
   for (const ParameterDescriptor& descriptor : parameters.descriptors()) {
     if (descriptor.type != ParameterType::Real && descriptor.type != ParameterType::Integer) continue;
-    const double value =
-        descriptor.type == ParameterType::Real ? parameters.real(descriptor.name) : parameters.integer(descriptor.name);
-    if (value == descriptor.preset) continue;
+    const double value = std::get<double>(parameters.value(descriptor.name));
+    if (value == std::get<double>(descriptor.preset())) continue;
     return fail(ErrorCode::BadParameter,
                 {"preset \"listing\" fixes {0}: leave {0} = {1} out, or take preset = \"recommended\"",
                  "preset \"listing\" fija {0}: quite {0} = {1}, o use preset = \"recommended\""},
@@ -49,29 +50,36 @@ inline Result<void> check_listing(const Parameters& parameters) {
 /// The input of the sonar at one front corner.
 constexpr PortDescriptor sonar_port(bool left, bool required = true) noexcept {
   return {.name = left ? "left" : "right",
-          .unit = "m",
-          .required = required,
+          .title = left ? Text{"left range", "distancia izquierda"} : Text{"right range", "distancia derecha"},
           .help = left ? Text{"Range of the left front sonar", "Distancia del sonar delantero izquierdo"}
-                       : Text{"Range of the right front sonar", "Distancia del sonar delantero derecho"}};
+                       : Text{"Range of the right front sonar", "Distancia del sonar delantero derecho"},
+          .unit = "m",
+          .required = required};
 }
 
-inline constexpr ParameterDescriptor kOneSonarShareParameter{
-    .name = "one_sonar_share",
-    .preset = 0.5,
-    .min = 0,
-    .max = 1,
-    .help = {"Share of the speed ahead while one sonar is dead", "Parte de la velocidad de avance con un sonar muerto"},
-    .ours = true};
+/// Of a kind whose Config has a member `double one_sonar_share`.
+template <class Config>
+consteval ParameterDescriptor one_sonar_share_parameter() {
+  return parameter<Config, &Config::one_sonar_share>({.name = "one_sonar_share",
+                                                      .title = {"one-sonar share", "parte con un sonar"},
+                                                      .help = {"Share of the speed ahead while one sonar is dead",
+                                                               "Parte de la velocidad de avance con un sonar muerto"},
+                                                      .min = 0,
+                                                      .max = 1,
+                                                      .ours = true,
+                                                      .live = true});
+}
 
 inline constexpr std::array<ElementDescriptor, 2> kTrackElements = {"left", "right"};
 
 inline constexpr PortDescriptor kTracksPort{
     .name = "tracks",
+    .title = {"tracks", "orugas"},
+    .help = {"Duty of the tracks, -1 full backward to 1 full forward",
+             "Ciclo de trabajo de las orugas, de -1 todo atrás a 1 todo adelante"},
     .role = PortRole::Command,
     .size = 2,
-    .elements = kTrackElements,
-    .help = {"Duty of the tracks, -1 full backward to 1 full forward",
-             "Ciclo de trabajo de las orugas, de -1 todo atrás a 1 todo adelante"}};
+    .elements = kTrackElements};
 
 /// Both tracks forward by `forward`, and a turn on top of it: clockwise > 0 turns right. Clamped to +-1 each.
 inline Command tracks(double forward, double clockwise,

@@ -8,16 +8,18 @@ namespace {
 constexpr std::array kPorts = {
     PortDescriptor{
         .name = "commands",
+        .title = {"commands", "mandos"},
+        .help = {"Commands that compete, the most important first", "Mandos que compiten, el más importante primero"},
         .role = PortRole::Candidate,
         .unit = "*",
         .size = 0,
-        .many = true,
-        .help = {"Commands that compete, the most important first", "Mandos que compiten, el más importante primero"}},
+        .many = true},
     PortDescriptor{.name = "command",
+                   .title = {"command", "mando"},
+                   .help = {"The winner's command", "El mando del ganador"},
                    .role = PortRole::Command,
                    .unit = "*",
-                   .size = 0,
-                   .help = {"The winner's command", "El mando del ganador"}},
+                   .size = 0},
 };
 
 /// What is commanded when no candidate acts.

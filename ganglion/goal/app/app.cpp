@@ -19,7 +19,7 @@ Bid AppGoal::bid(const Feedback& feedback) noexcept {
   std::copy(values.begin(), values.end(), wanted_.data.begin());
   wanted_.size = values.size();
   done_ = {};  // once the trainer has asked for something else, the old wish may be asked again
-  return {{wanted_.data.data(), wanted_.size}, priority_class_, intensity_, true};
+  return {{wanted_.data.data(), wanted_.size}, config_.intensity, true};
 }
 
 void AppGoal::concluded(RequestStatus, const Reason& reason) noexcept {
@@ -30,13 +30,14 @@ namespace {
 
 constexpr std::array kPorts = {
     PortDescriptor{.name = "request",
+                   .title = {"request", "solicitud"},
+                   .help = {"What the application asks for; missing readings ask for nothing",
+                            "Lo que la aplicación solicita; las lecturas ausentes no solicitan nada"},
                    .role = PortRole::Feedback,
                    .unit = "*",
-                   .size = 0,
-                   .help = {"What the application asks for; missing readings ask for nothing",
-                            "Lo que la aplicación solicita; las lecturas ausentes no solicitan nada"}}};
+                   .size = 0}};
 
-constexpr std::array kParameters = {kPriorityClass, kIntensity};
+constexpr std::array kParameters = {intensity_parameter<AppConfig>()};
 
 }  // namespace
 
@@ -48,8 +49,6 @@ extern constinit const GlobalGoalKind app_kind{
                    .ports = kPorts,
                    .parameters = kParameters,
                    .source = "A growing functional modules locomotion subsystem, results, section 5"},
-    .make = [](const Parameters& parameters) -> Result<std::unique_ptr<GlobalGoal>> {
-      return std::make_unique<AppGoal>(parameters.integer("priority_class"), parameters.real("intensity"));
-    }};
+    .make = make_bound<GlobalGoal, AppGoal, AppConfig>};
 
 }  // namespace ganglion

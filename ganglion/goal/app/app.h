@@ -6,6 +6,10 @@
 
 namespace ganglion {
 
+struct AppConfig {
+  double intensity = 1;  ///< In [0, 1].
+};
+
 /// The application as trainer: what arrives on one sensation is what the acting module is asked for ("App" in the GFM
 /// papers). Other values replace a request that is still pending. What was reached or withdrawn is not asked again
 /// until other values come; a missing reading asks for nothing.
@@ -14,7 +18,7 @@ namespace ganglion {
 /// Source    "A growing functional modules locomotion subsystem", results, section 5.
 class AppGoal final : public GlobalGoal {
  public:
-  AppGoal(int priority_class, double intensity) noexcept : priority_class_(priority_class), intensity_(intensity) {}
+  explicit AppGoal(const AppConfig& config) noexcept : config_(config) {}
 
   void concluded(RequestStatus status, const Reason& reason) noexcept override;
 
@@ -26,8 +30,7 @@ class AppGoal final : public GlobalGoal {
     std::size_t size = 0;
     bool equal(std::span<const double> other) const noexcept;
   };
-  int priority_class_;
-  double intensity_;
+  AppConfig config_;
   Values wanted_;  ///< Of the last bid.
   Values done_;    ///< Last concluded.
 };

@@ -13,7 +13,7 @@ namespace {
 /// The goal with two numbers on its wire.
 class Trainer {
  public:
-  Trainer() : ports(app_kind.descriptor, {"request:2"}), goal(0, 1) { goal.bind(ports.links()); }
+  Trainer() : ports(app_kind.descriptor, {"request:2"}), goal(AppConfig{}) { goal.bind(ports.links()); }
   std::vector<double> wish() {
     static_cast<GlobalGoal&>(goal).decide(Tick{});
     const Bid& bid = goal.wanted();

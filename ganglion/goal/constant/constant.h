@@ -1,31 +1,28 @@
 #pragma once
 
-#include <array>
+#include <utility>
+#include <vector>
 
 #include "ganglion/module/global_goal.h"
 
 namespace ganglion {
 
-struct ConstantGoalConfig {
-  std::span<const double> value{};
-  int priority_class = 0;
-  double intensity = 1;  ///< In [0, 1].
+struct ConstantConfig {
+  std::vector<double> value = {0};  ///< One number for each value of the request.
+  double intensity = 1;             ///< In [0, 1].
 };
 
 /// Wants the same values at every tick: a set-point to hold, a place to be (ours; the GFM papers name only App).
 class ConstantGoal final : public GlobalGoal {
  public:
+  explicit ConstantGoal(ConstantConfig config) noexcept : config_(std::move(config)) {}
   /// Fails with BadParameter unless there are 1 to 16 finite values.
-  static Result<std::unique_ptr<ConstantGoal>> make(const ConstantGoalConfig& config);
+  static Result<void> judge(const ConstantConfig& config);
 
  private:
-  explicit ConstantGoal(const ConstantGoalConfig& config) noexcept;
-  Bid bid(const Feedback& feedback) noexcept override;
+  Bid bid(const Feedback&) noexcept override { return {config_.value, config_.intensity, false}; }
 
-  std::array<double, kMaxCommandValues> value_{};
-  std::size_t size_;
-  int priority_class_;
-  double intensity_;
+  ConstantConfig config_;
 };
 
 }  // namespace ganglion

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <array>
+#include <string>
+#include <vector>
 
 #include "ganglion/application/description.h"
 #include "ganglion/graph/kind_list.h"
+#include "ganglion/graph/testing/described.h"
 
 /// A few small kinds and a robot, for the tests of what the graph says and accepts. They do next to nothing.
 namespace ganglion::example {
@@ -11,7 +14,19 @@ namespace ganglion::example {
 inline constexpr std::array<ElementDescriptor, 2> kPlane = {"x", "y"};
 inline constexpr std::array<ElementDescriptor, 2> kTracks = {"left", "right"};
 inline constexpr std::array<std::string_view, 3> kSides = {"left", "right", "freer"};
-inline constexpr std::array<double, 2> kOrigin = {0, 0};
+
+struct TargetConfig {
+  std::vector<double> at_m = {0, 0};
+};
+
+struct BackConfig {
+  enum class Side { Left, Right, Freer };
+  double trigger_range_m = 0.1;
+  Side side = Side::Freer;
+  int bursts = 3;
+  bool loud = false;
+  std::string label = "a | b";
+};
 
 class Nearest final : public SensingModule {
   void perceive(const Feedback& feedback) noexcept override { put(0, feedback.value(0)); }
@@ -37,39 +52,77 @@ Result<std::unique_ptr<Product>> make(const Parameters&) {
   return std::unique_ptr<Product>(std::make_unique<Made>());
 }
 
-inline constexpr std::array kNearestPorts = {
-    PortDescriptor{.name = "ranges", .unit = "m", .many = true, .help = {"Ranges to choose from", "Distancias"}},
-    PortDescriptor{.name = "expected", .role = PortRole::Appraisal, .unit = "m", .required = false},
-    PortDescriptor{.name = "range", .role = PortRole::Output, .unit = "m", .help = {"The least", "La menor"}},
-    PortDescriptor{.name = "bearing", .role = PortRole::Output, .unit = "rad", .type = ValueType::Circular}};
-inline constexpr std::array kTargetParameters = {
-    ParameterDescriptor{.name = "at_m", .type = ParameterType::Reals, .unit = "m", .preset_reals = kOrigin, .count = 2},
-    ParameterDescriptor{.name = "priority_class", .type = ParameterType::Integer, .min = 0, .max = 9}};
-inline constexpr std::array kBackPorts = {
-    PortDescriptor{.name = "left", .unit = "m", .help = {"Range on the left", "Distancia a la izquierda"}},
-    PortDescriptor{.name = "right", .unit = "m", .help = {"Range on the right", "Distancia a la derecha"}},
-    PortDescriptor{.name = "heading", .unit = "rad", .type = ValueType::Circular, .required = false},
-    PortDescriptor{.name = "drive", .role = PortRole::Command, .elements = kTracks}};
+inline constexpr std::array kNearestPorts = {PortDescriptor{.name = "ranges",
+                                                            .title = Text::same("ranges"),
+                                                            .help = {"Ranges to choose from", "Distancias"},
+                                                            .unit = "m",
+                                                            .many = true},
+                                             testing::optional(testing::port("expected", PortRole::Appraisal, "m")),
+                                             PortDescriptor{.name = "range",
+                                                            .title = Text::same("range"),
+                                                            .help = {"The least", "La menor"},
+                                                            .role = PortRole::Output,
+                                                            .unit = "m"},
+                                             PortDescriptor{.name = "bearing",
+                                                            .title = Text::same("bearing"),
+                                                            .help = Text::same("bearing"),
+                                                            .role = PortRole::Output,
+                                                            .unit = "rad",
+                                                            .type = ValueType::Circular}};
+inline constexpr std::array kTargetParameters = {parameter<TargetConfig, &TargetConfig::at_m>(
+    {.name = "at_m", .title = Text::same("at_m"), .help = Text::same("at_m"), .unit = "m", .count = 2})};
+inline constexpr std::array kBackPorts = {PortDescriptor{.name = "left",
+                                                         .title = Text::same("left"),
+                                                         .help = {"Range on the left", "Distancia a la izquierda"},
+                                                         .unit = "m"},
+                                          PortDescriptor{.name = "right",
+                                                         .title = Text::same("right"),
+                                                         .help = {"Range on the right", "Distancia a la derecha"},
+                                                         .unit = "m"},
+                                          PortDescriptor{.name = "heading",
+                                                         .title = Text::same("heading"),
+                                                         .help = Text::same("heading"),
+                                                         .unit = "rad",
+                                                         .type = ValueType::Circular,
+                                                         .required = false},
+                                          PortDescriptor{.name = "drive",
+                                                         .title = Text::same("drive"),
+                                                         .help = Text::same("drive"),
+                                                         .role = PortRole::Command,
+                                                         .elements = kTracks}};
 inline constexpr std::array kBackParameters = {
-    ParameterDescriptor{.name = "trigger_range_m",
-                        .unit = "m",
-                        .preset = 0.1,
-                        .min = 0,
-                        .max = 3,
-                        .help = {"Backs off nearer than this", "Retrocede si hay algo más cerca"},
-                        .ours = true},
-    ParameterDescriptor{.name = "side", .type = ParameterType::Choice, .preset = 2, .choices = kSides},
-    ParameterDescriptor{.name = "bursts", .type = ParameterType::Integer, .preset = 3, .min = 1, .max = 10},
-    ParameterDescriptor{.name = "loud", .type = ParameterType::Boolean},
-    ParameterDescriptor{.name = "label", .type = ParameterType::Word, .preset_word = "a | b"}};
-inline constexpr std::array kGoToPorts = {
-    PortDescriptor{.name = "request", .role = PortRole::Request, .unit = "m", .elements = kPlane},
-    PortDescriptor{.name = "position", .unit = "m", .elements = kPlane},
-    PortDescriptor{.name = "expected", .role = PortRole::Appraisal, .unit = "m", .required = false},
-    PortDescriptor{.name = "drive", .role = PortRole::Command, .elements = kTracks}};
-inline constexpr std::array kFirstPorts = {
-    PortDescriptor{.name = "commands", .role = PortRole::Candidate, .unit = "*", .size = 0, .many = true},
-    PortDescriptor{.name = "command", .role = PortRole::Command, .unit = "*", .size = 0}};
+    parameter<BackConfig, &BackConfig::trigger_range_m>(
+        {.name = "trigger_range_m",
+         .title = {"trigger range", "distancia de disparo"},
+         .help = {"Backs off nearer than this", "Retrocede si hay algo más cerca"},
+         .unit = "m",
+         .min = 0,
+         .max = 3,
+         .ours = true}),
+    parameter<BackConfig, &BackConfig::side>(
+        {.name = "side", .title = Text::same("side"), .help = Text::same("side"), .choices = kSides}),
+    parameter<BackConfig, &BackConfig::bursts>(
+        {.name = "bursts", .title = Text::same("bursts"), .help = Text::same("bursts"), .min = 1, .max = 10}),
+    testing::named<BackConfig, &BackConfig::loud>("loud"), testing::named<BackConfig, &BackConfig::label>("label")};
+inline constexpr std::array kGoToPorts = {PortDescriptor{.name = "request",
+                                                         .title = Text::same("request"),
+                                                         .help = Text::same("request"),
+                                                         .role = PortRole::Request,
+                                                         .unit = "m",
+                                                         .elements = kPlane},
+                                          PortDescriptor{.name = "position",
+                                                         .title = Text::same("position"),
+                                                         .help = Text::same("position"),
+                                                         .unit = "m",
+                                                         .elements = kPlane},
+                                          testing::optional(testing::port("expected", PortRole::Appraisal, "m")),
+                                          PortDescriptor{.name = "drive",
+                                                         .title = Text::same("drive"),
+                                                         .help = Text::same("drive"),
+                                                         .role = PortRole::Command,
+                                                         .elements = kTracks}};
+inline constexpr std::array kFirstPorts = {testing::many(testing::port("commands", PortRole::Candidate, "*", 0)),
+                                           testing::port("command", PortRole::Command, "*", 0)};
 
 inline constexpr SensingModuleKind kNearest = {
     {.component_class = ComponentClass::Sensing, .name = "Nearest", .ports = kNearestPorts, .source = "ours"},

@@ -3,22 +3,25 @@
 #include <algorithm>
 #include <array>
 
+#include "ganglion/graph/testing/described.h"
+
 namespace ganglion::testing {
 namespace {
 
-constexpr std::array kPorts = {
-    PortDescriptor{.name = "commands", .role = PortRole::Candidate, .unit = "*", .size = 0, .many = true},
-    PortDescriptor{.name = "out", .role = PortRole::Command, .unit = "*", .size = 0},
-    PortDescriptor{.name = "granted", .role = PortRole::Output},
+struct FirstConfig {
+  bool generous = false;
 };
-constexpr std::array kParameters = {ParameterDescriptor{.name = "generous", .type = ParameterType::Boolean}};
+
+constexpr std::array kPorts = {
+    many(port("commands", PortRole::Candidate, "*", 0)),
+    port("out", PortRole::Command, "*", 0),
+    port("granted", PortRole::Output),
+};
+constexpr std::array kParameters = {named<FirstConfig, &FirstConfig::generous>("generous")};
 
 class First final : public Coordinator {
  public:
-  explicit First(bool generous) : generous_(generous) {}
-  static Result<std::unique_ptr<Coordinator>> make(const Parameters& parameters) {
-    return std::make_unique<First>(parameters.boolean("generous"));
-  }
+  explicit First(const FirstConfig& config) : config_(config) {}
 
  private:
   Command coordinate(const Feedback& feedback, std::span<const Command* const> candidates,
@@ -28,19 +31,19 @@ class First final : public Coordinator {
       const bool wanted = candidates[i]->kind == CommandKind::Act;
       const bool drives = wanted && result.kind != CommandKind::Act;
       if (drives) result = *candidates[i];
-      shares[i] = drives || generous_ ? 1 : 0;
+      shares[i] = drives || config_.generous ? 1 : 0;
     }
     put(0, feedback.granted() ? 1 : 0);
     return result;
   }
 
-  bool generous_;
+  FirstConfig config_;
 };
 
 }  // namespace
 
 constinit const CoordinatorKind first_kind{
     {.component_class = ComponentClass::Coordinator, .name = "First", .ports = kPorts, .parameters = kParameters},
-    First::make};
+    make_bound<Coordinator, First, FirstConfig>};
 
 }  // namespace ganglion::testing

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "ganglion/graph/testing/described.h"
+
 namespace ganglion::testing {
 namespace {
 
@@ -9,14 +11,14 @@ enum Input : std::size_t { kAct, kValue, kTtl };
 enum Output : std::size_t { kCycles, kAdaptations, kCharged, kGranted };
 
 constexpr std::array kPorts = {
-    PortDescriptor{.name = "act", .role = PortRole::Feedback, .unit = "*"},
-    PortDescriptor{.name = "value", .role = PortRole::Feedback, .unit = "*", .size = 0},
-    PortDescriptor{.name = "ttl_s", .role = PortRole::Feedback, .unit = "*", .required = false},
-    PortDescriptor{.name = "out", .role = PortRole::Command, .unit = "*", .size = 0},
-    PortDescriptor{.name = "cycles", .role = PortRole::Output},
-    PortDescriptor{.name = "adaptations", .role = PortRole::Output},
-    PortDescriptor{.name = "charged", .role = PortRole::Output},
-    PortDescriptor{.name = "granted", .role = PortRole::Output},
+    port("act", PortRole::Feedback, "*"),
+    port("value", PortRole::Feedback, "*", 0),
+    optional(port("ttl_s", PortRole::Feedback, "*")),
+    port("out", PortRole::Command, "*", 0),
+    port("cycles", PortRole::Output),
+    port("adaptations", PortRole::Output),
+    port("charged", PortRole::Output),
+    port("granted", PortRole::Output),
 };
 
 class Puppet final : public ActingModule {

@@ -3,27 +3,34 @@
 #include <algorithm>
 #include <array>
 
+#include "ganglion/graph/testing/described.h"
+
 namespace ganglion::testing {
 namespace {
 
 enum Input : std::size_t { kGoal, kPlace };
 enum Output : std::size_t { kCycles, kAdaptations, kCharged, kGranted, kFresh, kRemembered, kTold, kOutcome };
 
+constexpr PortDescriptor typed(PortDescriptor port, ValueType type) {
+  port.type = type;
+  return port;
+}
+
 /// Ports of a Seeker over `size` values of one kind.
 constexpr std::array<PortDescriptor, 12> ports_of(std::string_view unit, ValueType type, int size) {
   return {{
-      {.name = "goal", .role = PortRole::Request, .unit = unit, .type = type, .size = size},
-      {.name = "place", .role = PortRole::Feedback, .unit = unit, .type = type, .size = size},
-      {.name = "step", .role = PortRole::Command, .unit = unit, .size = size},
-      {.name = "expected", .role = PortRole::Appraisal, .unit = unit, .size = size},
-      {.name = "cycles", .role = PortRole::Output},
-      {.name = "adaptations", .role = PortRole::Output},
-      {.name = "charged", .role = PortRole::Output},
-      {.name = "granted", .role = PortRole::Output},
-      {.name = "fresh", .role = PortRole::Output},
-      {.name = "remembered", .role = PortRole::Output},
-      {.name = "told", .role = PortRole::Output},
-      {.name = "outcome", .role = PortRole::Output},
+      typed(port("goal", PortRole::Request, unit, size), type),
+      typed(port("place", PortRole::Feedback, unit, size), type),
+      port("step", PortRole::Command, unit, size),
+      port("expected", PortRole::Appraisal, unit, size),
+      port("cycles", PortRole::Output),
+      port("adaptations", PortRole::Output),
+      port("charged", PortRole::Output),
+      port("granted", PortRole::Output),
+      port("fresh", PortRole::Output),
+      port("remembered", PortRole::Output),
+      port("told", PortRole::Output),
+      port("outcome", PortRole::Output),
   }};
 }
 
@@ -31,23 +38,25 @@ constexpr auto kSeekerPorts = ports_of("m", ValueType::Real, 1);
 constexpr auto kTurnerPorts = ports_of("rad", ValueType::Circular, 1);
 constexpr auto kWalkerPorts = ports_of("", ValueType::Discrete, 2);
 
+struct SeekerConfig {
+  double stride = 1;
+  bool relative = false;
+  double give_up_at = 1e9;
+};
+
 constexpr std::array kParameters = {
-    ParameterDescriptor{.name = "stride", .preset = 1},
-    ParameterDescriptor{.name = "relative", .type = ParameterType::Boolean},
-    ParameterDescriptor{.name = "give_up_at", .preset = 1e9},
+    named<SeekerConfig, &SeekerConfig::stride>("stride"),
+    named<SeekerConfig, &SeekerConfig::relative>("relative"),
+    named<SeekerConfig, &SeekerConfig::give_up_at>("give_up_at"),
 };
 
 class Seeker final : public ActingModule {
  public:
-  explicit Seeker(const Parameters& parameters)
-      : stride_(parameters.real("stride")),
-        relative_(parameters.boolean("relative")),
-        give_up_at_(parameters.real("give_up_at")) {}
-  static Result<std::unique_ptr<ActingModule>> make(const Parameters& parameters) {
-    if (parameters.real("stride") == 0)
-      return fail(ErrorCode::BadParameter,
-                  {"stride is 0, must be another number", "stride es 0, debe ser otro número"});
-    return std::make_unique<Seeker>(parameters);
+  explicit Seeker(const SeekerConfig& config) : config_(config) {}
+  /// Fails with BadParameter unless it moves at all.
+  static Result<void> judge(const SeekerConfig& config) {
+    if (config.stride != 0) return {};
+    return fail(ErrorCode::BadParameter, {"stride is 0, must be another number", "stride es 0, debe ser otro número"});
   }
 
   void grow() override { history_.reserve(std::min<std::size_t>(history_.size() + 4, 4096)); }
@@ -80,11 +89,11 @@ class Seeker final : public ActingModule {
     put(kTold, static_cast<double>(feedback.reason.code));
     put(kOutcome, static_cast<double>(feedback.outcome));
     const auto place = feedback[kPlace].values;
-    if (place[0] >= give_up_at_) return Command::withdraw({ReasonCode::Trapped, place[0], request.values[0]});
+    if (place[0] >= config_.give_up_at) return Command::withdraw({ReasonCode::Trapped, place[0], request.values[0]});
     Command command = Command::act(request.values);
     for (std::size_t i = 0; i < place.size(); ++i) {
-      const double step = std::clamp(request.values[i] - place[i], -stride_, stride_);
-      command.values[i] = relative_ ? step : place[i] + step;
+      const double step = std::clamp(request.values[i] - place[i], -config_.stride, config_.stride);
+      command.values[i] = config_.relative ? step : place[i] + step;
       expected_[i] = place[i] + step;
     }
     if (history_.size() < history_.capacity()) history_.push_back(command.values[0]);
@@ -95,9 +104,7 @@ class Seeker final : public ActingModule {
     std::copy_n(expected_.begin(), appraisal.size(), appraisal.begin());
   }
 
-  double stride_;
-  bool relative_;
-  double give_up_at_;
+  SeekerConfig config_;
   std::array<double, 2> expected_{};
   std::vector<double> history_;
 };
@@ -108,8 +115,11 @@ constexpr Descriptor described(std::string_view name, std::span<const PortDescri
 
 }  // namespace
 
-constinit const ActingModuleKind seeker_kind{described("Seeker", kSeekerPorts), Seeker::make};
-constinit const ActingModuleKind turner_kind{described("Turner", kTurnerPorts), Seeker::make};
-constinit const ActingModuleKind walker_kind{described("Walker", kWalkerPorts), Seeker::make};
+constinit const ActingModuleKind seeker_kind{described("Seeker", kSeekerPorts),
+                                             make_bound<ActingModule, Seeker, SeekerConfig>};
+constinit const ActingModuleKind turner_kind{described("Turner", kTurnerPorts),
+                                             make_bound<ActingModule, Seeker, SeekerConfig>};
+constinit const ActingModuleKind walker_kind{described("Walker", kWalkerPorts),
+                                             make_bound<ActingModule, Seeker, SeekerConfig>};
 
 }  // namespace ganglion::testing

@@ -1,31 +1,34 @@
+#include "ganglion/graph/testing/sensing_kinds.h"
+
 #include <array>
 
-#include "ganglion/graph/testing/sensing_kinds.h"
+#include "ganglion/graph/testing/described.h"
 
 namespace ganglion::testing {
 namespace {
 
-constexpr std::array kGainPorts = {
-    PortDescriptor{.name = "in", .role = PortRole::Feedback, .unit = "*"},
-    PortDescriptor{.name = "out", .role = PortRole::Output},
+struct GainConfig {
+  double gain = 1;
 };
-constexpr std::array kGainParameters = {ParameterDescriptor{.name = "gain", .preset = 1}};
+
+constexpr std::array kGainPorts = {
+    port("in", PortRole::Feedback, "*"),
+    port("out", PortRole::Output),
+};
+constexpr std::array kGainParameters = {named<GainConfig, &GainConfig::gain>("gain")};
 
 class Gain final : public SensingModule {
  public:
-  explicit Gain(double gain) : gain_(gain) {}
-  static Result<std::unique_ptr<SensingModule>> make(const Parameters& parameters) {
-    return std::make_unique<Gain>(parameters.real("gain"));
-  }
+  explicit Gain(const GainConfig& config) : config_(config) {}
 
  private:
-  void perceive(const Feedback& feedback) noexcept override { put(0, gain_ * feedback.value(0)); }
-  double gain_;
+  void perceive(const Feedback& feedback) noexcept override { put(0, config_.gain * feedback.value(0)); }
+  GainConfig config_;
 };
 
 constexpr std::array kCopyPorts = {
-    PortDescriptor{.name = "in", .role = PortRole::Feedback, .unit = "*", .size = 0},
-    PortDescriptor{.name = "out", .role = PortRole::Output, .unit = "*", .size = 0},
+    port("in", PortRole::Feedback, "*", 0),
+    port("out", PortRole::Output, "*", 0),
 };
 
 class Copy final : public SensingModule {
@@ -40,10 +43,10 @@ class Copy final : public SensingModule {
 };
 
 constexpr std::array kSurprisePorts = {
-    PortDescriptor{.name = "in", .role = PortRole::Feedback, .unit = "*"},
-    PortDescriptor{.name = "expected", .role = PortRole::Appraisal, .unit = "*", .required = false},
-    PortDescriptor{.name = "error", .role = PortRole::Output},
-    PortDescriptor{.name = "heard", .role = PortRole::Output},
+    port("in", PortRole::Feedback, "*"),
+    optional(port("expected", PortRole::Appraisal, "*")),
+    port("error", PortRole::Output),
+    port("heard", PortRole::Output),
 };
 
 class Surprise final : public SensingModule {
@@ -58,8 +61,8 @@ class Surprise final : public SensingModule {
 };
 
 constexpr std::array kSumPorts = {
-    PortDescriptor{.name = "in", .role = PortRole::Feedback, .unit = "*", .many = true},
-    PortDescriptor{.name = "out", .role = PortRole::Output},
+    many(port("in", PortRole::Feedback, "*")),
+    port("out", PortRole::Output),
 };
 
 class Sum final : public SensingModule {
@@ -75,8 +78,8 @@ class Sum final : public SensingModule {
 };
 
 constexpr std::array kAgePorts = {
-    PortDescriptor{.name = "in", .role = PortRole::Feedback, .unit = "*"},
-    PortDescriptor{.name = "out", .role = PortRole::Output, .unit = "s"},
+    port("in", PortRole::Feedback, "*"),
+    port("out", PortRole::Output, "s"),
 };
 
 class AgeOf final : public SensingModule {
@@ -87,7 +90,7 @@ class AgeOf final : public SensingModule {
   void perceive(const Feedback& feedback) noexcept override { put(0, feedback[0].ages_s[0]); }
 };
 
-constexpr std::array kNoisePorts = {PortDescriptor{.name = "out", .role = PortRole::Output}};
+constexpr std::array kNoisePorts = {port("out", PortRole::Output)};
 
 class Noise final : public SensingModule {
  public:
@@ -105,7 +108,8 @@ constexpr Descriptor described(std::string_view name, const std::array<PortDescr
 
 }  // namespace
 
-constinit const SensingModuleKind gain_kind{described("Gain", kGainPorts, kGainParameters), Gain::make};
+constinit const SensingModuleKind gain_kind{described("Gain", kGainPorts, kGainParameters),
+                                            make_bound<SensingModule, Gain, GainConfig>};
 constinit const SensingModuleKind copy_kind{described("Copy", kCopyPorts), Copy::make};
 constinit const SensingModuleKind surprise_kind{described("Surprise", kSurprisePorts), Surprise::make};
 constinit const SensingModuleKind sum_kind{described("Sum", kSumPorts), Sum::make};

@@ -88,7 +88,9 @@ std::optional<Cost> ActingCycle::get_cost() const noexcept {
 
 void ActingCycle::seek(const Request& fresh, const Feedback&, Sought& into) const noexcept { into.set(fresh.values); }
 
-bool ActingCycle::settled(const Request&, const Feedback&) const noexcept { return false; }
+bool ActingCycle::settled(const Request&, const Feedback&) const noexcept {
+  return equal_within(inputs_[joints_.satisfied_by].values, sought_.span(), joints_.comparison);
+}
 
 void ActingCycle::expected_feedback(std::span<double> appraisal) const noexcept {
   std::fill(appraisal.begin(), appraisal.end(), std::numeric_limits<double>::quiet_NaN());

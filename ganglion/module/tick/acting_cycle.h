@@ -66,7 +66,8 @@ class ActingCycle {
   /// What the first Feedback port must equal, asked once, when a request is fresh, with the feedback of that tick. By
   /// default the request itself: a module that translates it (a direction into a cell) says what it means.
   virtual void seek(const Request& fresh, const Feedback& feedback, Sought& into) const noexcept;
-  /// Of a standing request, asked at every tick: whether it counts as held.
+  /// Of a standing request, asked at every tick: whether it counts as held. By default while the first Feedback port is
+  /// within the tolerance of what is sought.
   virtual bool settled(const Request& request, const Feedback& feedback) const noexcept;
   /// The perception expected at the next tick, for the sensing modules wired to it; NaN = no expectation.
   virtual void expected_feedback(std::span<double> appraisal) const noexcept;

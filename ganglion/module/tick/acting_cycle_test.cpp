@@ -7,10 +7,11 @@
 namespace ganglion {
 namespace {
 
+constexpr Text kAny = Text::same("any");
 constexpr std::array kPorts = {
-    PortDescriptor{.name = "goal", .role = PortRole::Request},
-    PortDescriptor{.name = "place", .role = PortRole::Feedback},
-    PortDescriptor{.name = "step", .role = PortRole::Command},
+    PortDescriptor{.name = "goal", .title = kAny, .help = kAny, .role = PortRole::Request},
+    PortDescriptor{.name = "place", .title = kAny, .help = kAny, .role = PortRole::Feedback},
+    PortDescriptor{.name = "step", .title = kAny, .help = kAny, .role = PortRole::Command},
 };
 constexpr Descriptor kDescriptor{.component_class = ComponentClass::Acting, .name = "Probe", .ports = kPorts};
 

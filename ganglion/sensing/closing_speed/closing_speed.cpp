@@ -6,40 +6,44 @@
 namespace ganglion {
 namespace {
 
+using Config = ClosingSpeedConfig;
+
 constexpr double kInstant_s = 1e-6;  // rounding of times that were added up
 constexpr double kListingStep_s = 0.3;
 constexpr std::array<std::string_view, 2> kPresets = {"recommended", "listing"};
 
 constexpr std::array kPorts = {
-    PortDescriptor{.name = "range", .unit = "m", .help = {"Range of a sonar", "Distancia de un sonar"}},
+    PortDescriptor{.name = "range",
+                   .title = {"range", "distancia"},
+                   .help = {"Range of a sonar", "Distancia de un sonar"},
+                   .unit = "m"},
     PortDescriptor{.name = "speed",
+                   .title = {"closing speed", "velocidad de acercamiento"},
+                   .help = {"Speed of coming nearer", "Velocidad de acercamiento"},
                    .role = PortRole::Output,
-                   .unit = "m/s",
-                   .help = {"Speed of coming nearer", "Velocidad de acercamiento"}},
+                   .unit = "m/s"},
     PortDescriptor{.name = "acceleration",
+                   .title = {"acceleration", "aceleración"},
+                   .help = {"Rate of that speed", "Variación de esa velocidad"},
                    .role = PortRole::Output,
-                   .unit = "m/s^2",
-                   .help = {"Rate of that speed", "Variación de esa velocidad"}},
+                   .unit = "m/s^2"},
 };
 
 constexpr std::array kParameters = {
-    ParameterDescriptor{.name = "preset",
-                        .type = ParameterType::Choice,
-                        .choices = kPresets,
-                        .help = {"recommended: true time between readings; listing: always 0.3 s",
-                                 "recommended: tiempo real entre lecturas; listing: siempre 0,3 s"}},
+    parameter<Config, &Config::preset>({.name = "preset",
+                                        .title = {"preset", "preajuste"},
+                                        .help = {"recommended: true time between readings; listing: always 0.3 s",
+                                                 "recommended: tiempo real entre lecturas; listing: siempre 0,3 s"},
+                                        .choices = kPresets}),
 };
 
 }  // namespace
 
-ClosingSpeed::ClosingSpeed(bool listing) noexcept : listing_(listing) {
-  if (!listing) return;
+ClosingSpeed::ClosingSpeed(const ClosingSpeedConfig& config) noexcept
+    : listing_(config.preset == ClosingSpeedConfig::Preset::Listing) {
+  if (!listing_) return;
   range_m_ = 3;
   speed_mps_ = 0;
-}
-
-Result<std::unique_ptr<SensingModule>> ClosingSpeed::make(const Parameters& parameters) {
-  return std::make_unique<ClosingSpeed>(parameters.choice("preset") == "listing");
 }
 
 void ClosingSpeed::perceive(const Feedback& feedback) noexcept {
@@ -76,6 +80,6 @@ extern constinit const SensingModuleKind closing_speed_kind{
                    .ports = kPorts,
                    .parameters = kParameters,
                    .source = "Alonso, robot Nimrod, section 5 (SENSORES: V1NEW, A1)"},
-    .make = ClosingSpeed::make};
+    .make = make_bound<SensingModule, ClosingSpeed, ClosingSpeedConfig>};
 
 }  // namespace ganglion

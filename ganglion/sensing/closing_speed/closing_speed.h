@@ -1,11 +1,15 @@
 #pragma once
 
 #include <limits>
-#include <memory>
 
 #include "ganglion/module/sensing_module.h"
 
 namespace ganglion {
+
+struct ClosingSpeedConfig {
+  enum class Preset { Recommended, Listing };
+  Preset preset = Preset::Recommended;
+};
 
 /// How fast something comes nearer.
 ///
@@ -18,8 +22,7 @@ namespace ganglion {
 ///           itself. listing divides by 0.3 s whatever its cycle takes, and begins with a range of 3 m at rest.
 class ClosingSpeed final : public SensingModule {
  public:
-  explicit ClosingSpeed(bool listing) noexcept;
-  static Result<std::unique_ptr<SensingModule>> make(const Parameters& parameters);
+  explicit ClosingSpeed(const ClosingSpeedConfig& config) noexcept;
 
  private:
   void perceive(const Feedback& feedback) noexcept override;

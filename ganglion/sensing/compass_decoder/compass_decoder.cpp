@@ -11,6 +11,8 @@
 namespace ganglion {
 namespace {
 
+using Config = CompassDecoderConfig;
+
 enum Output : std::size_t { kYaw, kStrength, kCalibrated };
 
 constexpr int kSectors = 12;
@@ -22,52 +24,62 @@ constexpr std::array kPorts = {
     kCosineVoltage,
     kSineVoltage,
     PortDescriptor{.name = "yaw",
+                   .title = {"yaw", "ángulo"},
+                   .help = {"Yaw, counter-clockwise from east", "Ángulo, antihorario desde el este"},
                    .role = PortRole::Output,
                    .unit = "rad",
-                   .type = ValueType::Circular,
-                   .help = {"Yaw, counter-clockwise from east", "Ángulo, antihorario desde el este"}},
+                   .type = ValueType::Circular},
     PortDescriptor{.name = "strength",
-                   .role = PortRole::Output,
+                   .title = {"strength", "intensidad"},
                    .help = {"Length of the measured vector, 1 = as calibrated",
-                            "Longitud del vector medido, 1 = según calibración"}},
+                            "Longitud del vector medido, 1 = según calibración"},
+                   .role = PortRole::Output},
     PortDescriptor{.name = "calibrated",
+                   .title = {"calibrated", "calibrada"},
+                   .help = {"1 once a full turn was seen", "1 tras ver una vuelta completa"},
                    .role = PortRole::Output,
-                   .type = ValueType::Discrete,
-                   .help = {"1 once a full turn was seen", "1 tras ver una vuelta completa"}},
+                   .type = ValueType::Discrete},
 };
 
 constexpr std::array kParameters = {
-    ParameterDescriptor{.name = "centre_V",
-                        .unit = "V",
-                        .preset = 2.5,
-                        .min = 0,
-                        .max = 24,
-                        .help = {"Middle voltage until calibrated", "Voltaje medio hasta calibrar"}},
-    ParameterDescriptor{.name = "amplitude_V",
-                        .unit = "V",
-                        .preset = 0.594,
-                        .min = 0.001,
-                        .max = 24,
-                        .help = {"Amplitude until calibrated: the one that the listing's 107.14 deg/V fits",
-                                 "Amplitud hasta calibrar: la que encaja con los 107,14 grados/V del programa"},
-                        .ours = true},
-    ParameterDescriptor{.name = "least_strength",
-                        .preset = 0.25,
-                        .min = 0,
-                        .max = 1,
-                        .help = {"A weaker vector is no heading", "Un vector más débil no da rumbo"},
-                        .ours = true},
-    ParameterDescriptor{.name = "most_strength",
-                        .preset = 2,
-                        .min = 1,
-                        .max = 100,
-                        .help = {"A stronger vector is no heading", "Un vector más fuerte no da rumbo"},
-                        .ours = true},
-    ParameterDescriptor{.name = "learn",
-                        .type = ParameterType::Boolean,
-                        .preset = 1,
-                        .help = {"Calibrate by the first full turn", "Calibrar con la primera vuelta completa"},
-                        .ours = true},
+    parameter<Config, &Config::centre_V>({.name = "centre_V",
+                                          .title = {"centre voltage", "voltaje central"},
+                                          .help = {"Middle voltage until calibrated", "Voltaje medio hasta calibrar"},
+                                          .unit = "V",
+                                          .min = 0,
+                                          .max = 24,
+                                          .live = true}),
+    parameter<Config, &Config::amplitude_V>(
+        {.name = "amplitude_V",
+         .title = {"amplitude", "amplitud"},
+         .help = {"Amplitude until calibrated: the one that the listing's 107.14 deg/V fits",
+                  "Amplitud hasta calibrar: la que encaja con los 107,14 grados/V del programa"},
+         .unit = "V",
+         .min = 0.001,
+         .max = 24,
+         .ours = true,
+         .live = true}),
+    parameter<Config, &Config::least_strength>(
+        {.name = "least_strength",
+         .title = {"least strength", "intensidad mínima"},
+         .help = {"A weaker vector is no heading", "Un vector más débil no da rumbo"},
+         .min = 0,
+         .max = 1,
+         .ours = true,
+         .live = true}),
+    parameter<Config, &Config::most_strength>(
+        {.name = "most_strength",
+         .title = {"most strength", "intensidad máxima"},
+         .help = {"A stronger vector is no heading", "Un vector más fuerte no da rumbo"},
+         .min = 1,
+         .max = 100,
+         .ours = true,
+         .live = true}),
+    parameter<Config, &Config::learns>(
+        {.name = "learn",
+         .title = {"calibration", "calibración"},
+         .help = {"Calibrate by the first full turn", "Calibrar con la primera vuelta completa"},
+         .ours = true}),
 };
 
 bool plausible(const VoltageSpan& span) noexcept {
@@ -75,14 +87,6 @@ bool plausible(const VoltageSpan& span) noexcept {
 }
 
 }  // namespace
-
-Result<std::unique_ptr<SensingModule>> CompassDecoder::make(const Parameters& parameters) {
-  return std::make_unique<CompassDecoder>(CompassDecoderConfig{.centre_V = parameters.real("centre_V"),
-                                                               .amplitude_V = parameters.real("amplitude_V"),
-                                                               .least_strength = parameters.real("least_strength"),
-                                                               .most_strength = parameters.real("most_strength"),
-                                                               .learns = parameters.boolean("learn")});
-}
 
 void CompassDecoder::perceive(const Feedback& feedback) noexcept {
   const double va = feedback.value(0);
@@ -153,6 +157,6 @@ extern constinit const SensingModuleKind compass_decoder_kind{
                    .ports = kPorts,
                    .parameters = kParameters,
                    .source = "ours"},
-    .make = CompassDecoder::make};
+    .make = make_bound<SensingModule, CompassDecoder, CompassDecoderConfig>};
 
 }  // namespace ganglion

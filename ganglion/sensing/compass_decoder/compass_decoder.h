@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <vector>
 
 #include "ganglion/module/sensing_module.h"
@@ -38,7 +37,6 @@ struct VoltageSpan {
 class CompassDecoder final : public SensingModule {
  public:
   explicit CompassDecoder(const CompassDecoderConfig& config) noexcept : config_(config) {}
-  static Result<std::unique_ptr<SensingModule>> make(const Parameters& parameters);
 
   std::uint32_t experience_version() const noexcept override { return 1; }
   void save(std::vector<ExperiencePart>& parts) const override;

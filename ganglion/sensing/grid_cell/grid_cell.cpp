@@ -6,10 +6,7 @@
 
 namespace ganglion {
 
-Result<std::unique_ptr<GridCell>> GridCell::make(const GridCellConfig& config) {
-  if (!(config.cell_m > 0) || !std::isfinite(config.cell_m)) {
-    return fail(ErrorCode::BadParameter, {"cell_m is {}, must be > 0", "cell_m es {}, debe ser > 0"}, config.cell_m);
-  }
+Result<void> GridCell::judge(const GridCellConfig& config) {
   const double farthest_m = config.cell_m * std::sqrt(0.5);
   if (!(config.reach_m >= 0 && config.reach_m <= farthest_m)) {
     return fail(ErrorCode::BadParameter,
@@ -17,7 +14,7 @@ Result<std::unique_ptr<GridCell>> GridCell::make(const GridCellConfig& config) {
                  "reach_m es {}, debe estar en [0, {}], la distancia a la esquina de una celda"},
                 config.reach_m, farthest_m);
   }
-  return std::unique_ptr<GridCell>(new GridCell(config));
+  return {};
 }
 
 void GridCell::perceive(const Feedback& feedback) noexcept {
@@ -39,40 +36,46 @@ void GridCell::perceive(const Feedback& feedback) noexcept {
 
 namespace {
 
+using Config = GridCellConfig;
+
 constexpr std::array<ElementDescriptor, 2> kXY = {"x", "y"};
 constexpr std::array<ElementDescriptor, 2> kColumnRow = {"column", "row"};
 
 constexpr std::array kPorts = {
     PortDescriptor{.name = "position",
+                   .title = {"position", "posición"},
+                   .help = {"Position in the map's frame", "Posición en el marco del mapa"},
                    .role = PortRole::Feedback,
                    .unit = "m",
                    .size = 2,
-                   .elements = kXY,
-                   .help = {"Position in the map's frame", "Posición en el marco del mapa"}},
+                   .elements = kXY},
     PortDescriptor{.name = "cell",
+                   .title = {"cell", "celda"},
+                   .help = {"Cell reached; NaN while unknown", "Celda alcanzada; NaN mientras se desconoce"},
                    .role = PortRole::Output,
                    .type = ValueType::Discrete,
                    .size = 2,
-                   .elements = kColumnRow,
-                   .help = {"Cell reached; NaN while unknown", "Celda alcanzada; NaN mientras se desconoce"}},
+                   .elements = kColumnRow},
 };
 
 constexpr std::array kParameters = {
-    ParameterDescriptor{.name = "cell_m",
-                        .unit = "m",
-                        .preset = 0.5,
-                        .min = 0.001,
-                        .max = 1000,
-                        .help = {"Side of a cell", "Lado de una celda"},
-                        .ours = true},
-    ParameterDescriptor{.name = "reach_m",
-                        .unit = "m",
-                        .preset = 0,
-                        .min = 0,
-                        .max = 1000,
-                        .help = {"A cell counts as reached within this distance of its centre; 0 = anywhere in it",
-                                 "Una celda cuenta como alcanzada a esta distancia de su centro; 0 = en toda ella"},
-                        .ours = true},
+    parameter<Config, &Config::cell_m>({.name = "cell_m",
+                                        .title = {"cell side", "lado de celda"},
+                                        .help = {"Side of a cell", "Lado de una celda"},
+                                        .unit = "m",
+                                        .min = 0.001,
+                                        .max = 1000,
+                                        .ours = true}),
+    parameter<Config, &Config::reach_m>(
+        {.name = "reach_m",
+         .title = {"reach", "alcance"},
+         .help = {"A cell counts as reached within this distance of its centre; 0 = anywhere in it",
+                  "Una celda cuenta como alcanzada a esta distancia de su centro; 0 = en toda ella"},
+         .unit = "m",
+         .min = 0,
+         .max = 1000,
+         .ours = true,
+         .live = true}),
 };
 
 }  // namespace
@@ -85,10 +88,6 @@ extern constinit const SensingModuleKind grid_cell_kind{
                    .ports = kPorts,
                    .parameters = kParameters,
                    .source = "ours"},
-    .make = [](const Parameters& parameters) -> Result<std::unique_ptr<SensingModule>> {
-      auto made = GridCell::make({parameters.real("cell_m"), parameters.real("reach_m")});
-      if (!made) return tl::unexpected<Error>(made.error());
-      return std::unique_ptr<SensingModule>(std::move(*made));
-    }};
+    .make = make_bound<SensingModule, GridCell, GridCellConfig>};
 
 }  // namespace ganglion

@@ -19,11 +19,12 @@ struct GridCellConfig {
 /// Missing   While the position is unknown both values are NaN.
 class GridCell final : public SensingModule {
  public:
-  /// Fails with BadParameter unless cell_m > 0 and reach_m is 0 or up to half a cell's diagonal.
-  static Result<std::unique_ptr<GridCell>> make(const GridCellConfig& config);
+  /// As judge() leaves it; cell_m > 0.
+  explicit GridCell(const GridCellConfig& config) noexcept : config_(config) {}
+  /// Fails with BadParameter unless reach_m is 0 or up to half a cell's diagonal.
+  static Result<void> judge(const GridCellConfig& config);
 
  private:
-  explicit GridCell(const GridCellConfig& config) noexcept : config_(config) {}
   void perceive(const Feedback& feedback) noexcept override;
 
   GridCellConfig config_;

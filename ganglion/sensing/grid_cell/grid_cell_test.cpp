@@ -14,9 +14,7 @@ namespace {
 class Locator {
  public:
   explicit Locator(const GridCellConfig& config)
-      : ports_(grid_cell_kind.descriptor),
-        module_(std::move(GridCell::make(config).value())),
-        outputs_(ports_.links()) {
+      : ports_(grid_cell_kind.descriptor), module_(std::make_unique<GridCell>(config)), outputs_(ports_.links()) {
     module_->bind(outputs_);
   }
   std::pair<double, double> at(double x_m, double y_m) {
@@ -60,11 +58,10 @@ TEST(GridCell, KnowsNoCellWithoutAPosition) {
 }
 
 TEST(GridCell, RefusesAReachBeyondTheCell) {
-  EXPECT_TRUE(GridCell::make({1, 0.7}));
-  const auto made = GridCell::make({1, 0.8});
+  EXPECT_TRUE(GridCell::judge({1, 0.7}));
+  const auto made = GridCell::judge({1, 0.8});
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().code, ErrorCode::BadParameter);
-  EXPECT_FALSE(GridCell::make({0, 0}));
 }
 
 TEST(GridCell, IsMadeFromItsParameters) {

@@ -12,15 +12,17 @@ constexpr std::array kPorts = {
     kCosineVoltage,
     kSineVoltage,
     PortDescriptor{.name = "yaw",
+                   .title = {"yaw", "ángulo"},
+                   .help = {"Yaw of the listing's heading", "Ángulo del rumbo del programa"},
                    .role = PortRole::Output,
                    .unit = "rad",
-                   .type = ValueType::Circular,
-                   .help = {"Yaw of the listing's heading", "Ángulo del rumbo del programa"}},
+                   .type = ValueType::Circular},
     PortDescriptor{.name = "matched",
-                   .role = PortRole::Output,
-                   .type = ValueType::Discrete,
+                   .title = {"matched", "encaja"},
                    .help = {"1 when a region fitted, 0 when the heading is stale",
-                            "1 si alguna región encajó, 0 si el rumbo es viejo"}},
+                            "1 si alguna región encajó, 0 si el rumbo es viejo"},
+                   .role = PortRole::Output,
+                   .type = ValueType::Discrete},
 };
 
 }  // namespace

@@ -10,13 +10,15 @@ namespace {
 constexpr std::array kPorts = {
     PortDescriptor{
         .name = "echo_time",
-        .unit = "s",
-        .help = {"Time of the echo, there and back; 0 = no pulse", "Tiempo del eco, ida y vuelta; 0 = sin pulso"}},
+        .title = {"echo time", "tiempo de eco"},
+        .help = {"Time of the echo, there and back; 0 = no pulse", "Tiempo del eco, ida y vuelta; 0 = sin pulso"},
+        .unit = "s"},
     PortDescriptor{
         .name = "range",
+        .title = {"range", "distancia"},
+        .help = {"Distance as the listing computes it; 0 without a pulse", "Distancia según el programa; 0 sin pulso"},
         .role = PortRole::Output,
-        .unit = "m",
-        .help = {"Distance as the listing computes it; 0 without a pulse", "Distancia según el programa; 0 sin pulso"}},
+        .unit = "m"},
 };
 
 }  // namespace

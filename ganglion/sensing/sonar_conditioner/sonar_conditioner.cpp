@@ -6,6 +6,8 @@
 namespace ganglion {
 namespace {
 
+using Config = SonarConditionerConfig;
+
 enum Input : std::size_t { kEchoTime, kRawRange, kTemperature };
 enum Output : std::size_t { kRange, kDead };
 
@@ -16,80 +18,84 @@ constexpr double kInstant_s = 1e-6;  // rounding of times that were added up
 constexpr std::array kPorts = {
     PortDescriptor{
         .name = "echo_time",
+        .title = {"echo time", "tiempo de eco"},
+        .help = {"Time of the echo, there and back; 0 = no pulse", "Tiempo del eco, ida y vuelta; 0 = sin pulso"},
         .unit = "s",
-        .required = false,
-        .help = {"Time of the echo, there and back; 0 = no pulse", "Tiempo del eco, ida y vuelta; 0 = sin pulso"}},
+        .required = false},
     PortDescriptor{.name = "raw_range",
+                   .title = {"raw range", "distancia bruta"},
+                   .help = {"Range, where no echo time is wired", "Distancia, si no hay tiempo del eco"},
                    .unit = "m",
-                   .required = false,
-                   .help = {"Range, where no echo time is wired", "Distancia, si no hay tiempo del eco"}},
+                   .required = false},
     PortDescriptor{.name = "temperature",
+                   .title = {"air temperature", "temperatura del aire"},
+                   .help = {"Temperature of the air", "Temperatura del aire"},
                    .unit = "degC",
-                   .required = false,
-                   .help = {"Temperature of the air", "Temperatura del aire"}},
+                   .required = false},
     PortDescriptor{.name = "range",
-                   .role = PortRole::Output,
-                   .unit = "m",
+                   .title = {"range", "distancia"},
                    .help = {"Median range; inf nothing, -inf too close, nan dead",
-                            "Distancia mediana; inf nada, -inf demasiado cerca, nan muerto"}},
-    PortDescriptor{.name = "dead",
+                            "Distancia mediana; inf nada, -inf demasiado cerca, nan muerto"},
                    .role = PortRole::Output,
-                   .type = ValueType::Discrete,
-                   .help = {"1 while there is no valid reading", "1 mientras no hay lectura válida"}},
+                   .unit = "m"},
+    PortDescriptor{.name = "dead",
+                   .title = {"dead", "muerto"},
+                   .help = {"1 while there is no valid reading", "1 mientras no hay lectura válida"},
+                   .role = PortRole::Output,
+                   .type = ValueType::Discrete},
 };
 
 constexpr std::array kParameters = {
-    ParameterDescriptor{
-        .name = "min_range_m",
-        .unit = "m",
-        .preset = 0.02,
-        .min = 0,
-        .max = 10,
-        .help = {"Below this it is too close to measure", "Por debajo está demasiado cerca para medir"}},
-    ParameterDescriptor{.name = "max_range_m",
-                        .unit = "m",
-                        .preset = 3.0,
-                        .min = 0.01,
-                        .max = 100,
-                        .help = {"Beyond this there is nothing", "Más allá no hay nada"}},
-    ParameterDescriptor{.name = "temperature_C",
-                        .unit = "degC",
-                        .preset = 20,
-                        .min = -50,
-                        .max = 80,
-                        .help = {"Temperature of the air where none is wired", "Temperatura del aire si no se mide"},
-                        .ours = true},
-    ParameterDescriptor{.name = "dead_after_s",
-                        .unit = "s",
-                        .preset = 0.5,
-                        .min = 0.01,
-                        .max = 60,
-                        .help = {"A reading older than this counts as none", "Una lectura más vieja no vale"},
-                        .ours = true},
-    ParameterDescriptor{.name = "readings",
-                        .type = ParameterType::Integer,
-                        .preset = 3,
-                        .min = 1,
-                        .max = SonarConditioner::kMaxReadings,
-                        .help = {"Takes the median of so many", "Toma la mediana de tantas"},
-                        .ours = true},
+    parameter<Config, &Config::min_range_m>(
+        {.name = "min_range_m",
+         .title = {"minimum range", "distancia mínima"},
+         .help = {"Below this it is too close to measure", "Por debajo está demasiado cerca para medir"},
+         .unit = "m",
+         .min = 0,
+         .max = 10,
+         .live = true}),
+    parameter<Config, &Config::max_range_m>({.name = "max_range_m",
+                                             .title = {"maximum range", "distancia máxima"},
+                                             .help = {"Beyond this there is nothing", "Más allá no hay nada"},
+                                             .unit = "m",
+                                             .min = 0.01,
+                                             .max = 100,
+                                             .live = true}),
+    parameter<Config, &Config::temperature_C>(
+        {.name = "temperature_C",
+         .title = {"air temperature", "temperatura del aire"},
+         .help = {"Temperature of the air where none is wired", "Temperatura del aire si no se mide"},
+         .unit = "degC",
+         .min = -50,
+         .max = 80,
+         .ours = true,
+         .live = true}),
+    parameter<Config, &Config::dead_after_s>(
+        {.name = "dead_after_s",
+         .title = {"time until dead", "tiempo hasta muerto"},
+         .help = {"A reading older than this counts as none", "Una lectura más vieja no vale"},
+         .unit = "s",
+         .min = 0.01,
+         .max = 60,
+         .ours = true,
+         .live = true}),
+    parameter<Config, &Config::readings>({.name = "readings",
+                                          .title = {"readings", "lecturas"},
+                                          .help = {"Takes the median of so many", "Toma la mediana de tantas"},
+                                          .min = 1,
+                                          .max = SonarConditioner::kMaxReadings,
+                                          .ours = true}),
 };
 
 }  // namespace
 
-Result<std::unique_ptr<SensingModule>> SonarConditioner::make(const Parameters& parameters) {
-  SonarConditionerConfig config;
-  config.min_range_m = parameters.real("min_range_m");
-  config.max_range_m = parameters.real("max_range_m");
-  config.temperature_C = parameters.real("temperature_C");
-  config.dead_after_s = parameters.real("dead_after_s");
-  config.readings = parameters.integer("readings");
+Result<void> SonarConditioner::judge(const SonarConditionerConfig& config) {
   if (!(config.min_range_m < config.max_range_m)) {
     return fail(ErrorCode::BadParameter,
                 {"min_range_m is {}, must be < max_range_m = {}", "min_range_m es {}, debe ser < max_range_m = {}"},
                 config.min_range_m, config.max_range_m);
   }
-  return std::make_unique<SonarConditioner>(config);
+  return {};
 }
 
 void SonarConditioner::perceive(const Feedback& feedback) noexcept {
@@ -140,6 +146,6 @@ extern constinit const SensingModuleKind sonar_conditioner_kind{
                    .ports = kPorts,
                    .parameters = kParameters,
                    .source = "ours"},
-    .make = SonarConditioner::make};
+    .make = make_bound<SensingModule, SonarConditioner, SonarConditionerConfig>};
 
 }  // namespace ganglion

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <limits>
-#include <memory>
 
 #include "ganglion/module/sensing_module.h"
 #include "ganglion/units/speed_of_sound.h"
@@ -32,7 +31,7 @@ class SonarConditioner final : public SensingModule {
 
   explicit SonarConditioner(const SonarConditionerConfig& config) noexcept : config_(config) {}
   /// Fails with BadParameter unless min_range_m < max_range_m.
-  static Result<std::unique_ptr<SensingModule>> make(const Parameters& parameters);
+  static Result<void> judge(const SonarConditionerConfig& config);
 
  private:
   void perceive(const Feedback& feedback) noexcept override;

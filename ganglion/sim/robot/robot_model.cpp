@@ -106,12 +106,12 @@ void read_sensor(Table& table, const SimKinds& kinds, std::vector<std::string>& 
   check_name(table, "id", sensor.id, false, ids);
   sensor.kind = find_kind(table, kinds.sensors);
   if (sensor.kind == nullptr) return;
-  const Parameters common = table.parameters(sensor_parameters());
-  sensor.mount = {{common.real("x_m"), common.real("y_m")}, Angle::from_deg(common.real("yaw_deg")).wrapped()};
-  sensor.period_s = common.real("period_s");
-  sensor.phase_s = common.real("phase_s");
-  sensor.fault = static_cast<Fault>(common.choice_index("fault"));
-  sensor.fault_from_s = common.real("fault_from_s");
+  const auto common = table.parameters(sensor_parameters()).filled<SensorCommon>();
+  sensor.mount = {{common.x_m, common.y_m}, common.yaw.wrapped()};
+  sensor.period_s = common.period_s;
+  sensor.phase_s = common.phase_s;
+  sensor.fault = common.fault;
+  sensor.fault_from_s = common.fault_from_s;
   if (model.radius_m > 0 && sensor.mount.position.length() > model.radius_m * (1 + 1e-9)) {
     table.problem("x_m", ErrorCode::BadParameter,
                   {"sits {:.3g} m from the centre, must be on the body: within its radius of {:.3g} m",
@@ -122,12 +122,8 @@ void read_sensor(Table& table, const SimKinds& kinds, std::vector<std::string>& 
   const auto device = made(*sensor.kind, sensor.parameters, table);
   if (device == nullptr) return;
   describe_channels(sensor, *device, model.description);
+  model.trained = model.trained || device->trainer_log() != nullptr;
   model.sensors.push_back(std::move(sensor));
-}
-
-void read_energy(Table table, EnergyModel& energy) {
-  const Parameters read = table.parameters(energy_parameters());
-  energy = {read.real("idle_W"), read.real("drive_W"), read.real("travel_J_per_m"), read.real("contact_J")};
 }
 
 void read_battery(Table& root, BatteryModel& battery) {
@@ -135,8 +131,7 @@ void read_battery(Table& root, BatteryModel& battery) {
   Table table = root.table("battery");
   const Parameters read = table.parameters(battery_parameters());
   if (!present) return;
-  battery = {read.real("capacity_J"), read.real("full_V"), read.real("empty_V"), read.real("resistance_ohm"),
-             read.real("charge")};
+  battery = read.filled<BatteryModel>();
   if (battery.empty_V > battery.full_V) {
     table.problem("empty_V", ErrorCode::BadParameter,
                   {"empty_V is {}, must be <= full_V = {}", "empty_V es {}, debe ser <= full_V = {}"}, battery.empty_V,
@@ -154,7 +149,7 @@ void read_simulated(Table& root, const SimKinds& kinds, RobotModel& model) {
   } else {
     read_drive(root.table("drive"), kinds, model);
   }
-  read_energy(root.table("energy"), model.energy);
+  model.energy = root.table("energy").parameters(energy_parameters()).filled<EnergyModel>();
   read_battery(root, model.battery);
   model.substep_s = root.number("substep_s", 0.01, Range{1e-4, 10});
   std::vector<std::string> ids;

@@ -28,6 +28,17 @@ enum class Fault : std::uint8_t {
   Stuck,  ///< Repeats its last reading as if it were fresh.
 };
 
+/// The keys that every [[sensor]] has besides its kind's parameters.
+struct SensorCommon {
+  double x_m = 0;  ///< Where it sits on the body.
+  double y_m = 0;
+  Angle yaw;
+  double period_s = 0;
+  double phase_s = 0;
+  Fault fault = Fault::None;
+  double fault_from_s = 0;
+};
+
 /// One sensor as the file has it, common keys apart from those of its kind.
 struct SensorModel {
   std::string id;
@@ -43,7 +54,7 @@ struct SensorModel {
 /// The energy a step takes: idle_W t + drive_W effort t + travel_J_per_m way + contact_J for each contact begun.
 struct EnergyModel {
   double idle_W = 0;
-  double drive_W = 0;
+  double drive_W = 1;
   double travel_J_per_m = 0;
   double contact_J = 0;
 };
@@ -51,9 +62,9 @@ struct EnergyModel {
 /// What the robot's energy is taken from. The open voltage falls in a straight line with the charge; the resistance
 /// takes its part with the current. Drives slow down with the voltage and stand once the charge is gone. Ours.
 struct BatteryModel {
-  double capacity_J = 0;  ///< 0 = no battery: energy without end at full voltage.
-  double full_V = 8.4;    ///< Open, at full charge; what the drive's full speed is stated for.
-  double empty_V = 6;     ///< Open, at the end of the charge.
+  double capacity_J = 50000;  ///< 0 = no battery: energy without end at full voltage.
+  double full_V = 8.4;        ///< Open, at full charge; what the drive's full speed is stated for.
+  double empty_V = 6;         ///< Open, at the end of the charge.
   double resistance_ohm = 0.1;
   double charge = 1;  ///< At the start of an episode.
 
@@ -69,12 +80,13 @@ struct RobotModel {
   double radius_m = 0;      ///< In contact and in sight of others the body is a disc about its centre.
   double substep_s = 0.01;  ///< Motion and contacts are worked out in steps of at most this.
   EnergyModel energy{};
-  BatteryModel battery{};
-  double climb_rad = kPi / 2;        ///< Steepest slope its drive can climb; on steeper ones it stalls.
-  double tip_rad = kPi / 2;          ///< On slopes steeper than that it tips over.
-  const DriveKind* drive = nullptr;  ///< Null: the file only describes a robot that is not simulated.
+  BatteryModel battery{.capacity_J = 0};  ///< None without [battery].
+  double climb_rad = kPi / 2;             ///< Steepest slope its drive can climb; on steeper ones it stalls.
+  double tip_rad = kPi / 2;               ///< On slopes steeper than that it tips over.
+  const DriveKind* drive = nullptr;       ///< Null: the file only describes a robot that is not simulated.
   Parameters drive_parameters{{}};
   std::vector<SensorModel> sensors;
+  bool trained = false;  ///< One of them is a trainer.
 
   bool simulated() const noexcept { return drive != nullptr; }
 };
@@ -99,7 +111,7 @@ std::shared_ptr<const RobotModel> parse_robot(std::string_view text, const std::
 std::optional<RobotDescription> load_description(const std::filesystem::path& path, const SimKinds& kinds,
                                                  std::span<const config::Override> overrides, Problems& problems);
 
-/// The keys that every [[sensor]] has besides its kind's parameters, as descriptors for schema, forms and manual.
+/// Those of SensorCommon, as descriptors for schema, forms and manual.
 std::span<const ParameterDescriptor> sensor_parameters() noexcept;
 /// The keys of [energy].
 std::span<const ParameterDescriptor> energy_parameters() noexcept;

@@ -66,15 +66,6 @@ Movement WheelPair::move(const Pose2& pose, double step_s) noexcept {
   return movement;
 }
 
-WheelPairConfig wheel_pair_config(const Parameters& parameters) {
-  return {.full_scale_mps = parameters.real("full_scale_mps"),
-          .track_m = parameters.real("track_m"),
-          .dead_zone = parameters.real("dead_zone"),
-          .left_gain = parameters.real("left_gain"),
-          .right_gain = parameters.real("right_gain"),
-          .lag_s = parameters.real("lag_s")};
-}
-
 CommandElement wheel_pair_element(std::size_t n) {
   return {.name = n == 0 ? "left" : "right", .unit = "", .min = -1, .max = 1, .safe = 0};
 }

@@ -49,55 +49,71 @@ class WheelPair {
   Vector2 towards_{1, 0};
 };
 
-/// The parameters that both kinds list in their descriptors.
-inline constexpr ParameterDescriptor kFullScaleParameter{
-    .name = "full_scale_mps",
-    .unit = "m/s",
-    .preset = 0.2,
-    .min = 1e-6,
-    .max = 50,
-    .help = {"Speed of a side at duty 1", "Velocidad de un lado con ciclo de trabajo 1"}};
-inline constexpr ParameterDescriptor kTrackParameter{
-    .name = "track_m",
-    .unit = "m",
-    .preset = 0.18,
-    .min = 1e-3,
-    .max = 100,
-    .help = {"Distance between the wheels' contact lines", "Distancia entre las líneas de contacto de las ruedas"}};
-inline constexpr ParameterDescriptor kDeadZoneParameter{
-    .name = "dead_zone",
-    .preset = 0,
-    .min = 0,
-    .max = 1,
-    .help = {"Duties of less do not move a side", "Ciclos de trabajo menores no mueven un lado"},
-    .ours = true};
-inline constexpr ParameterDescriptor kLeftGainParameter{
-    .name = "left_gain",
-    .preset = 1,
-    .min = 0,
-    .max = 2,
-    .help = {"Share of its speed that the left side reaches: unequal motors",
-             "Parte de su velocidad que alcanza el lado izquierdo: motores desiguales"},
-    .ours = true};
-inline constexpr ParameterDescriptor kRightGainParameter{
-    .name = "right_gain",
-    .preset = 1,
-    .min = 0,
-    .max = 2,
-    .help = {"Share of its speed that the right side reaches: unequal motors",
-             "Parte de su velocidad que alcanza el lado derecho: motores desiguales"},
-    .ours = true};
-inline constexpr ParameterDescriptor kMotorLagParameter{
-    .name = "lag_s",
-    .unit = "s",
-    .preset = 0,
-    .min = 0,
-    .max = 60,
-    .help = {"Time constant with which speeds follow duties",
-             "Constante de tiempo con que las velocidades siguen a los ciclos de trabajo"},
-    .ours = true};
-/// What those parameters say.
-WheelPairConfig wheel_pair_config(const Parameters& parameters);
+/// Parameters that several kinds list in their descriptors, of a Config with members of these names.
+template <class Config>
+consteval ParameterDescriptor full_scale_parameter() {
+  return parameter<Config, &Config::full_scale_mps>(
+      {.name = "full_scale_mps",
+       .title = {"full speed", "velocidad máxima"},
+       .help = {"Speed of a side at duty 1", "Velocidad de un lado con ciclo de trabajo 1"},
+       .unit = "m/s",
+       .min = 1e-6,
+       .max = 50});
+}
+template <class Config>
+consteval ParameterDescriptor track_parameter() {
+  return parameter<Config, &Config::track_m>(
+      {.name = "track_m",
+       .title = {"track width", "ancho de vía"},
+       .help = {"Distance between the wheels' contact lines", "Distancia entre las líneas de contacto de las ruedas"},
+       .unit = "m",
+       .min = 1e-3,
+       .max = 100});
+}
+template <class Config>
+consteval ParameterDescriptor dead_zone_parameter() {
+  return parameter<Config, &Config::dead_zone>(
+      {.name = "dead_zone",
+       .title = {"dead zone", "zona muerta"},
+       .help = {"Duties of less do not move a side", "Ciclos de trabajo menores no mueven un lado"},
+       .min = 0,
+       .max = 1,
+       .ours = true});
+}
+template <class Config>
+consteval ParameterDescriptor left_gain_parameter() {
+  return parameter<Config, &Config::left_gain>(
+      {.name = "left_gain",
+       .title = {"left gain", "ganancia izquierda"},
+       .help = {"Share of its speed that the left side reaches: unequal motors",
+                "Parte de su velocidad que alcanza el lado izquierdo: motores desiguales"},
+       .min = 0,
+       .max = 2,
+       .ours = true});
+}
+template <class Config>
+consteval ParameterDescriptor right_gain_parameter() {
+  return parameter<Config, &Config::right_gain>(
+      {.name = "right_gain",
+       .title = {"right gain", "ganancia derecha"},
+       .help = {"Share of its speed that the right side reaches: unequal motors",
+                "Parte de su velocidad que alcanza el lado derecho: motores desiguales"},
+       .min = 0,
+       .max = 2,
+       .ours = true});
+}
+template <class Config>
+consteval ParameterDescriptor motor_lag_parameter() {
+  return parameter<Config, &Config::lag_s>(
+      {.name = "lag_s",
+       .title = {"motor lag", "retardo del motor"},
+       .help = {"Time constant with which speeds follow duties",
+                "Constante de tiempo con que las velocidades siguen a los ciclos de trabajo"},
+       .unit = "s",
+       .min = 0,
+       .max = 60,
+       .ours = true});
+}
 /// Element 0 is the left side's duty, 1 the right one's.
 CommandElement wheel_pair_element(std::size_t n);
 

@@ -227,8 +227,9 @@ TEST(EveryRobotKind, SaysAllThatOthersMustKnow) {
     for (const ParameterDescriptor& parameter : descriptor.parameters) {
       EXPECT_FALSE(parameter.help.empty()) << parameter.name;
       if (parameter.type == ParameterType::Real) {
-        EXPECT_GE(parameter.preset, parameter.min) << parameter.name;
-        EXPECT_LE(parameter.preset, parameter.max) << parameter.name;
+        const double preset = std::get<double>(parameter.preset());
+        EXPECT_GE(preset, parameter.min) << parameter.name;
+        EXPECT_LE(preset, parameter.max) << parameter.name;
       }
     }
   };

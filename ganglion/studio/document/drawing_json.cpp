@@ -56,39 +56,22 @@ void write_wire(JsonText& json, const std::string& text, int line, int column, b
 }
 
 void write_value(JsonText& json, const Parameters& parameters, const ParameterDescriptor& parameter) {
-  switch (parameter.type) {
-    case ParameterType::Real:
-      json.value(parameters.real(parameter.name));
-      break;
-    case ParameterType::Integer:
-      json.value(parameters.integer(parameter.name));
-      break;
-    case ParameterType::Boolean:
-      json.value(parameters.boolean(parameter.name));
-      break;
-    case ParameterType::Choice:
-      json.value(parameters.choice(parameter.name));
-      break;
-    case ParameterType::Word:
-      json.value(parameters.word(parameter.name));
-      break;
-    case ParameterType::Reals:
-      json.begin_list();
-      for (const double value : parameters.reals(parameter.name)) json.value(value);
-      json.end_list();
-      break;
+  const ParameterValue& value = parameters.value(parameter.name);
+  if (const auto* word = std::get_if<std::string>(&value)) {
+    json.value(*word);
+  } else if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
+    json.begin_list();
+    for (const double number : *numbers) json.value(number);
+    json.end_list();
+  } else if (parameter.type == ParameterType::Boolean) {
+    json.value(parameters.boolean(parameter.name));
+  } else if (parameter.type == ParameterType::Choice) {
+    json.value(parameters.choice(parameter.name));
+  } else if (parameter.type == ParameterType::Integer) {
+    json.value(parameters.integer(parameter.name));
+  } else {
+    json.value(parameters.real(parameter.name));
   }
-}
-
-/// One number as it is, several as a list.
-void write_numbers(JsonText& json, const std::vector<double>& values) {
-  if (values.size() == 1) {
-    json.value(values.front());
-    return;
-  }
-  json.begin_list();
-  for (const double value : values) json.value(value);
-  json.end_list();
 }
 
 void write_inputs(JsonText& json, const ComponentModel& component) {
@@ -204,29 +187,31 @@ class ComponentWriter {
     for (const Key& key : keys) write_parameter(component, key);
     json_.end_list().key("unknown").begin_list();
     for (const Key& key : keys) {
-      const bool parameter = kind != nullptr && kind->parameter(key.name) != nullptr;
-      if (!parameter && !is_common(component, key.name) && !is_structure(key.name)) write_unknown(key);
+      const bool parameter =
+          find_in(component.parameters, key.name) != nullptr || find_in(component.common, key.name) != nullptr;
+      if (!parameter && !is_structure(key.name)) write_unknown(key);
     }
     json_.end_list().end_object();
   }
 
-  static bool is_common(const ComponentModel& component, const std::string& key) {
-    return component.component_class == ComponentClass::Acting && (key == "tolerance" || key == "preemption");
-  }
-
   void write_parameter(const ComponentModel& component, const Key& key) {
-    const ParameterDescriptor* parameter =
-        component.descriptor != nullptr ? component.descriptor->parameter(key.name) : nullptr;
-    if (parameter == nullptr && !is_common(component, key.name)) return;
+    const ParameterDescriptor* own = find_in(component.parameters, key.name);
+    const ParameterDescriptor* common = find_in(component.common, key.name);
+    if (own == nullptr && common == nullptr) return;
     json_.begin_object().member("name", key.name).key("value");
-    if (parameter != nullptr) {
-      write_value(json_, component.parameters, *parameter);
-    } else if (key.name == "tolerance") {
-      write_numbers(json_, component.tolerance);
+    if (own != nullptr) {
+      write_value(json_, component.parameters, *own);
     } else {
-      json_.value(component.preemption);
+      write_value(json_, component.common, *common);
     }
     json_.member("line", key.member->line).end_object();
+  }
+
+  static const ParameterDescriptor* find_in(const Parameters& parameters, std::string_view name) noexcept {
+    for (const ParameterDescriptor& descriptor : parameters.descriptors()) {
+      if (descriptor.name == name) return &descriptor;
+    }
+    return nullptr;
   }
 
   void write_unknown(const Key& key) {

@@ -108,7 +108,7 @@ class Drive {
  public:
   explicit Drive(GridBot& bot, const DynamicMapRouterConfig& config = small())
       : bot_(&bot),
-        module_(std::move(DynamicMapRouter::make(config).value())),
+        module_(std::make_unique<DynamicMapRouter>(config)),
         bench_(*module_, dynamic_map_router_kind.descriptor) {}
 
   /// A window that fits the maps of these tests, so that they run fast.

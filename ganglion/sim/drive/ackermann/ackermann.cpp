@@ -13,45 +13,62 @@ namespace {
 constexpr std::array<ElementDescriptor, 2> kElements = {"throttle", "steering"};
 constexpr std::array kPorts = {
     PortDescriptor{.name = "drive",
+                   .title = {"drive", "tracción"},
+                   .help = {"Throttle in [-1, 1]; angle of the front wheels [rad], positive to the left",
+                            "Acelerador en [-1, 1]; ángulo de las ruedas delanteras [rad], positivo a la izquierda"},
                    .role = PortRole::Command,
                    .size = 2,
-                   .elements = kElements,
-                   .help = {"Throttle in [-1, 1]; angle of the front wheels [rad], positive to the left",
-                            "Acelerador en [-1, 1]; ángulo de las ruedas delanteras [rad], positivo a la izquierda"}},
+                   .elements = kElements},
 };
-
-constexpr ParameterDescriptor real(std::string_view name, std::string_view unit, double preset, double min, double max,
-                                   Text help) {
-  return {.name = name, .unit = unit, .preset = preset, .min = min, .max = max, .help = help, .ours = true};
-}
 
 constexpr std::array kParameters = {
-    kFullScaleParameter,
-    real("wheelbase_m", "m", 0.2, 1e-3, 100, {"From the rear axle to the front one", "Distancia entre ejes"}),
-    real("centre_m", "m", 0.1, -100, 100,
-         {"How far the body's centre lies ahead of the rear axle", "Cuánto está el centro delante del eje trasero"}),
-    kTrackParameter,
-    real("max_steer_deg", "deg", 30, 0.1, 80, {"Steering limit, to either side", "Límite de dirección a cada lado"}),
-    real("steer_rate_degps", "deg/s", 120, 0, 10000,
-         {"How fast the steering turns; 0 = at once", "Rapidez de la dirección; 0 = al instante"}),
-    real("steer_offset_deg", "deg", 0, -30, 30,
-         {"What straight ahead really is: a linkage out of true", "A qué equivale el centro: dirección desalineada"}),
-    kDeadZoneParameter,
-    kMotorLagParameter,
+    full_scale_parameter<AckermannConfig>(),
+    parameter<AckermannConfig, &AckermannConfig::wheelbase_m>(
+        {.name = "wheelbase_m",
+         .title = {"wheelbase", "distancia entre ejes"},
+         .help = {"From the rear axle to the front one", "Distancia entre ejes"},
+         .unit = "m",
+         .min = 1e-3,
+         .max = 100,
+         .ours = true}),
+    parameter<AckermannConfig, &AckermannConfig::centre_m>(
+        {.name = "centre_m",
+         .title = {"centre ahead", "centro adelantado"},
+         .help = {"How far the body's centre lies ahead of the rear axle",
+                  "Cuánto está el centro delante del eje trasero"},
+         .unit = "m",
+         .min = -100,
+         .max = 100,
+         .ours = true}),
+    track_parameter<AckermannConfig>(),
+    parameter<AckermannConfig, &AckermannConfig::max_steer>(
+        {.name = "max_steer_deg",
+         .title = {"steering limit", "límite de dirección"},
+         .help = {"Steering limit, to either side", "Límite de dirección a cada lado"},
+         .unit = "deg",
+         .min = 0.1,
+         .max = 80,
+         .ours = true}),
+    parameter<AckermannConfig, &AckermannConfig::steer_rate>(
+        {.name = "steer_rate_degps",
+         .title = {"steering rate", "rapidez de dirección"},
+         .help = {"How fast the steering turns; 0 = at once", "Rapidez de la dirección; 0 = al instante"},
+         .unit = "deg/s",
+         .min = 0,
+         .max = 10000,
+         .ours = true}),
+    parameter<AckermannConfig, &AckermannConfig::steer_offset>(
+        {.name = "steer_offset_deg",
+         .title = {"steering offset", "desvío de dirección"},
+         .help = {"What straight ahead really is: a linkage out of true",
+                  "A qué equivale el centro: dirección desalineada"},
+         .unit = "deg",
+         .min = -30,
+         .max = 30,
+         .ours = true}),
+    dead_zone_parameter<AckermannConfig>(),
+    motor_lag_parameter<AckermannConfig>(),
 };
-
-Result<std::unique_ptr<Drive>> make(const Parameters& parameters) {
-  const auto degrees = [&](std::string_view name) { return Angle::from_deg(parameters.real(name)); };
-  return std::make_unique<Ackermann>(AckermannConfig{.full_scale_mps = parameters.real("full_scale_mps"),
-                                                     .wheelbase_m = parameters.real("wheelbase_m"),
-                                                     .centre_m = parameters.real("centre_m"),
-                                                     .track_m = parameters.real("track_m"),
-                                                     .max_steer = degrees("max_steer_deg"),
-                                                     .steer_rate = degrees("steer_rate_degps"),
-                                                     .steer_offset = degrees("steer_offset_deg"),
-                                                     .dead_zone = parameters.real("dead_zone"),
-                                                     .lag_s = parameters.real("lag_s")});
-}
 
 }  // namespace
 
@@ -115,6 +132,6 @@ extern constinit const DriveKind ackermann_kind{
                    .ports = kPorts,
                    .parameters = kParameters,
                    .source = "kinematic bicycle model (LaValle 2006, 13.1.2.1); rate, offset and lag ours"},
-    .make = make};
+    .make = make_bound<Drive, Ackermann, AckermannConfig>};
 
 }  // namespace ganglion::sim

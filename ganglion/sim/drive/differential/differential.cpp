@@ -8,17 +8,15 @@ namespace {
 constexpr std::array<ElementDescriptor, 2> kSides = {"left", "right"};
 constexpr std::array kPorts = {
     PortDescriptor{.name = "drive",
+                   .title = {"drive", "tracción"},
+                   .help = {"Duties of the wheels in [-1, 1]", "Ciclos de trabajo de las ruedas en [-1, 1]"},
                    .role = PortRole::Command,
                    .size = 2,
-                   .elements = kSides,
-                   .help = {"Duties of the wheels in [-1, 1]", "Ciclos de trabajo de las ruedas en [-1, 1]"}},
+                   .elements = kSides},
 };
-constexpr std::array kParameters = {kFullScaleParameter, kTrackParameter,     kDeadZoneParameter,
-                                    kLeftGainParameter,  kRightGainParameter, kMotorLagParameter};
-
-Result<std::unique_ptr<Drive>> make(const Parameters& parameters) {
-  return std::make_unique<Differential>(wheel_pair_config(parameters));
-}
+constexpr std::array kParameters = {full_scale_parameter<WheelPairConfig>(), track_parameter<WheelPairConfig>(),
+                                    dead_zone_parameter<WheelPairConfig>(),  left_gain_parameter<WheelPairConfig>(),
+                                    right_gain_parameter<WheelPairConfig>(), motor_lag_parameter<WheelPairConfig>()};
 
 }  // namespace
 
@@ -29,6 +27,6 @@ extern constinit const DriveKind differential_kind{
                    .ports = kPorts,
                    .parameters = kParameters,
                    .source = "kinematics of the differential drive; lag and dead zone ours"},
-    .make = make};
+    .make = make_bound<Drive, Differential, WheelPairConfig>};
 
 }  // namespace ganglion::sim

@@ -12,34 +12,30 @@ constexpr std::array<ElementDescriptor, 2> kElements = {"motion", "direction"};
 constexpr std::array kPorts = {
     PortDescriptor{
         .name = "step",
-        .role = PortRole::Command,
-        .size = 2,
-        .elements = kElements,
+        .title = {"step", "paso"},
         .help = {"Motion -1 back, 0 stay, 1 forward; direction of travel [rad] in the world, multiple of 45 deg",
                  "Movimiento -1 atrás, 0 quieto, 1 adelante; dirección de avance [rad] en el mundo, múltiplo "
-                 "de 45 grados"}},
+                 "de 45 grados"},
+        .role = PortRole::Command,
+        .size = 2,
+        .elements = kElements},
 };
 constexpr std::array kParameters = {
-    ParameterDescriptor{.name = "cell_m",
-                        .unit = "m",
-                        .preset = 0.5,
-                        .min = 1e-3,
-                        .max = 1000,
-                        .help = {"Side of a cell", "Lado de una celda"}},
-    ParameterDescriptor{
-        .name = "max_turn_deg",
-        .unit = "deg",
-        .preset = 45,
-        .min = 0,
-        .max = 180,
-        .help = {"Largest change of heading in one step; commands that ask for more are not carried out",
-                 "Mayor cambio de rumbo en un paso; no se ejecuta un mando que pida más"}},
+    parameter<StepperConfig, &StepperConfig::cell_m>({.name = "cell_m",
+                                                      .title = {"cell side", "lado de celda"},
+                                                      .help = {"Side of a cell", "Lado de una celda"},
+                                                      .unit = "m",
+                                                      .min = 1e-3,
+                                                      .max = 1000}),
+    parameter<StepperConfig, &StepperConfig::max_turn>(
+        {.name = "max_turn_deg",
+         .title = {"largest turn", "giro máximo"},
+         .help = {"Largest change of heading in one step; commands that ask for more are not carried out",
+                  "Mayor cambio de rumbo en un paso; no se ejecuta un mando que pida más"},
+         .unit = "deg",
+         .min = 0,
+         .max = 180}),
 };
-
-Result<std::unique_ptr<Drive>> make(const Parameters& parameters) {
-  return std::make_unique<Stepper>(
-      StepperConfig{parameters.real("cell_m"), Angle::from_deg(parameters.real("max_turn_deg"))});
-}
 
 /// The multiple of 45 deg nearest to an angle, as 0..7 counter-clockwise from x.
 int eighth_of(double rad) noexcept {
@@ -116,6 +112,6 @@ extern constinit const DriveKind stepper_kind{
          .ports = kPorts,
          .parameters = kParameters,
          .source = "A growing functional modules locomotion subsystem, section 5; timing ours"},
-    .make = make};
+    .make = make_bound<Drive, Stepper, StepperConfig>};
 
 }  // namespace ganglion::sim

@@ -8,30 +8,28 @@ namespace {
 constexpr std::array<ElementDescriptor, 2> kSides = {"left", "right"};
 constexpr std::array kPorts = {
     PortDescriptor{.name = "drive",
+                   .title = {"drive", "tracción"},
+                   .help = {"Duties of the tracks in [-1, 1]", "Ciclos de trabajo de las orugas en [-1, 1]"},
                    .role = PortRole::Command,
                    .size = 2,
-                   .elements = kSides,
-                   .help = {"Duties of the tracks in [-1, 1]", "Ciclos de trabajo de las orugas en [-1, 1]"}},
+                   .elements = kSides},
 };
 constexpr std::array kParameters = {
-    kFullScaleParameter,
-    kTrackParameter,
-    kDeadZoneParameter,
-    kLeftGainParameter,
-    kRightGainParameter,
-    kMotorLagParameter,
-    ParameterDescriptor{.name = "skid_factor",
-                        .preset = 1,
-                        .min = 1,
-                        .max = 10,
-                        .help = {"Effective track width in turns over the true one; 1 = no skidding",
-                                 "Ancho de vía efectivo al girar entre el real; 1 = sin derrape"},
-                        .ours = true},
+    full_scale_parameter<TrackedConfig>(),
+    track_parameter<TrackedConfig>(),
+    dead_zone_parameter<TrackedConfig>(),
+    left_gain_parameter<TrackedConfig>(),
+    right_gain_parameter<TrackedConfig>(),
+    motor_lag_parameter<TrackedConfig>(),
+    parameter<TrackedConfig, &TrackedConfig::skid_factor>(
+        {.name = "skid_factor",
+         .title = {"skid factor", "factor de derrape"},
+         .help = {"Effective track width in turns over the true one; 1 = no skidding",
+                  "Ancho de vía efectivo al girar entre el real; 1 = sin derrape"},
+         .min = 1,
+         .max = 10,
+         .ours = true}),
 };
-
-Result<std::unique_ptr<Drive>> make(const Parameters& parameters) {
-  return std::make_unique<Tracked>(wheel_pair_config(parameters), parameters.real("skid_factor"));
-}
 
 }  // namespace
 
@@ -42,6 +40,6 @@ extern constinit const DriveKind tracked_kind{
                    .ports = kPorts,
                    .parameters = kParameters,
                    .source = "kinematics of the differential drive with an effective track width; defaults ours"},
-    .make = make};
+    .make = make_bound<Drive, Tracked, TrackedConfig>};
 
 }  // namespace ganglion::sim

@@ -4,12 +4,15 @@
 
 namespace ganglion::sim {
 
+struct TrackedConfig : WheelPairConfig {
+  double skid_factor = 1;  ///< Effective track width in turns over the true one.
+};
+
 /// Two tracks. They skid sideways in turns, so the body turns as if they stood `skid_factor` times as far apart.
 /// Command `drive`: duties of left and right, each in [-1, 1], safe 0.
 class Tracked final : public Drive {
  public:
-  explicit Tracked(const WheelPairConfig& config, double skid_factor) noexcept
-      : tracks_(widened(config, skid_factor)) {}
+  explicit Tracked(const TrackedConfig& config) noexcept : tracks_(widened(config)) {}
 
   CommandElement element(std::size_t n) const override { return wheel_pair_element(n); }
   void reset() noexcept override { tracks_.reset(); }
@@ -22,8 +25,8 @@ class Tracked final : public Drive {
   Movement foreseen(const Pose2& pose, double step_s) const noexcept override { return tracks_.foreseen(pose, step_s); }
 
  private:
-  static WheelPairConfig widened(WheelPairConfig config, double skid_factor) noexcept {
-    config.track_m *= skid_factor;
+  static WheelPairConfig widened(TrackedConfig config) noexcept {
+    config.track_m *= config.skid_factor;
     return config;
   }
 

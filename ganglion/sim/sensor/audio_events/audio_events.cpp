@@ -10,39 +10,45 @@ constexpr double kTolerance_s = 1e-9;  // times of steps are products and differ
 
 constexpr std::array kPorts = {
     PortDescriptor{.name = "event",
-                   .role = PortRole::Output,
-                   .type = ValueType::Discrete,
+                   .title = {"event", "evento"},
                    .help = {"The event that began since the last firing; 0 = silence",
-                            "El evento que empezó desde el último disparo; 0 = silencio"}},
-    PortDescriptor{.name = "loudness",
+                            "El evento que empezó desde el último disparo; 0 = silencio"},
                    .role = PortRole::Output,
+                   .type = ValueType::Discrete},
+    PortDescriptor{.name = "loudness",
+                   .title = {"loudness", "sonoridad"},
                    .help = {"1 at the beacon, 0 at the end of its range and in silence",
-                            "1 en la baliza, 0 al final de su alcance y en silencio"}},
+                            "1 en la baliza, 0 al final de su alcance y en silencio"},
+                   .role = PortRole::Output},
 };
-
-constexpr ParameterDescriptor chance(std::string_view name, Text help) {
-  return {.name = name, .preset = 0, .min = 0, .max = 1, .help = help, .ours = true};
-}
 
 constexpr std::array kParameters = {
-    chance("missed", {"Probability that an event is not heard", "Probabilidad de no oír un evento"}),
-    chance("mistaken", {"Probability that one that is heard is taken for another",
-                        "Probabilidad de confundir con otro un evento oído"}),
-    ParameterDescriptor{.name = "alphabet",
-                        .type = ParameterType::Integer,
-                        .preset = 8,
-                        .min = 2,
-                        .max = 255,
-                        .help = {"A mistaken event is any other of 1 to that",
-                                 "Un evento confundido es cualquier otro de 1 hasta ese número"},
-                        .ours = true},
+    parameter<AudioEventsConfig, &AudioEventsConfig::missed>(
+        {.name = "missed",
+         .title = {"miss probability", "probabilidad de pérdida"},
+         .help = {"Probability that an event is not heard", "Probabilidad de no oír un evento"},
+         .min = 0,
+         .max = 1,
+         .ours = true,
+         .live = true}),
+    parameter<AudioEventsConfig, &AudioEventsConfig::mistaken>(
+        {.name = "mistaken",
+         .title = {"confusion probability", "probabilidad de confusión"},
+         .help = {"Probability that one that is heard is taken for another",
+                  "Probabilidad de confundir con otro un evento oído"},
+         .min = 0,
+         .max = 1,
+         .ours = true,
+         .live = true}),
+    parameter<AudioEventsConfig, &AudioEventsConfig::alphabet>(
+        {.name = "alphabet",
+         .title = {"alphabet size", "tamaño del alfabeto"},
+         .help = {"A mistaken event is any other of 1 to that",
+                  "Un evento confundido es cualquier otro de 1 hasta ese número"},
+         .min = 2,
+         .max = 255,
+         .ours = true}),
 };
-
-Result<std::unique_ptr<Sensor>> make(const Parameters& parameters) {
-  return std::make_unique<AudioEvents>(AudioEventsConfig{.missed = parameters.real("missed"),
-                                                         .mistaken = parameters.real("mistaken"),
-                                                         .alphabet = parameters.integer("alphabet")});
-}
 
 struct Heard {
   int event = 0;
@@ -90,6 +96,6 @@ extern constinit const SensorKind audio_events_kind{
                    .ports = kPorts,
                    .parameters = kParameters,
                    .source = "the discrete audio events of the GFM papers' feedback; hearing ours"},
-    .make = make};
+    .make = make_bound<Sensor, AudioEvents, AudioEventsConfig>};
 
 }  // namespace ganglion::sim

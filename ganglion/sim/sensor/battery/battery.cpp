@@ -8,55 +8,56 @@ namespace {
 
 constexpr std::array kPorts = {
     PortDescriptor{.name = "voltage",
+                   .title = {"voltage", "tensión"},
+                   .help = {"At the terminals, under load", "En los bornes, con carga"},
                    .role = PortRole::Output,
-                   .unit = "V",
-                   .help = {"At the terminals, under load", "En los bornes, con carga"}},
+                   .unit = "V"},
     PortDescriptor{.name = "charge",
-                   .role = PortRole::Output,
-                   .help = {"Share of the capacity that is left", "Parte de la capacidad que queda"}},
+                   .title = {"charge", "carga"},
+                   .help = {"Share of the capacity that is left", "Parte de la capacidad que queda"},
+                   .role = PortRole::Output},
     PortDescriptor{.name = "current",
+                   .title = {"current", "corriente"},
+                   .help = {"Mean since the last firing", "Media desde el último disparo"},
                    .role = PortRole::Output,
-                   .unit = "A",
-                   .help = {"Mean since the last firing", "Media desde el último disparo"}},
+                   .unit = "A"},
 };
 
 constexpr std::array kParameters = {
-    ParameterDescriptor{.name = "noise_V",
-                        .unit = "V",
-                        .preset = 0.02,
-                        .min = 0,
-                        .max = 100,
-                        .help = {"Standard deviation of one reading", "Desviación típica de una lectura"},
-                        .ours = true},
-    ParameterDescriptor{.name = "divider",
-                        .preset = 1,
-                        .min = 0.5,
-                        .max = 1.5,
-                        .help = {"Read over true voltage: resistors off their value",
-                                 "Tensión leída entre la real: resistencias fuera de su valor"},
-                        .ours = true},
-    ParameterDescriptor{.name = "bits",
-                        .type = ParameterType::Integer,
-                        .preset = 10,
-                        .min = 0,
-                        .max = 24,
-                        .help = {"Of the converter; 0 = not rounded", "Del conversor; 0 = sin redondeo"},
-                        .ours = true},
-    ParameterDescriptor{.name = "reference_V",
-                        .unit = "V",
-                        .preset = 20,
-                        .min = 1e-3,
-                        .max = 1000,
-                        .help = {"Full scale of the converter", "Fondo de escala del conversor"},
-                        .ours = true},
+    parameter<BatteryConfig, &BatteryConfig::noise_V>(
+        {.name = "noise_V",
+         .title = {"noise", "ruido"},
+         .help = {"Standard deviation of one reading", "Desviación típica de una lectura"},
+         .unit = "V",
+         .min = 0,
+         .max = 100,
+         .ours = true,
+         .live = true}),
+    parameter<BatteryConfig, &BatteryConfig::divider>(
+        {.name = "divider",
+         .title = {"divider error", "error del divisor"},
+         .help = {"Read over true voltage: resistors off their value",
+                  "Tensión leída entre la real: resistencias fuera de su valor"},
+         .min = 0.5,
+         .max = 1.5,
+         .ours = true,
+         .live = true}),
+    parameter<BatteryConfig, &BatteryConfig::bits>(
+        {.name = "bits",
+         .title = {"converter bits", "bits del conversor"},
+         .help = {"Of the converter; 0 = not rounded", "Del conversor; 0 = sin redondeo"},
+         .min = 0,
+         .max = 24,
+         .ours = true}),
+    parameter<BatteryConfig, &BatteryConfig::reference_V>(
+        {.name = "reference_V",
+         .title = {"full scale", "fondo de escala"},
+         .help = {"Full scale of the converter", "Fondo de escala del conversor"},
+         .unit = "V",
+         .min = 1e-3,
+         .max = 1000,
+         .ours = true}),
 };
-
-Result<std::unique_ptr<Sensor>> make(const Parameters& parameters) {
-  return std::make_unique<Battery>(BatteryConfig{.noise_V = parameters.real("noise_V"),
-                                                 .divider = parameters.real("divider"),
-                                                 .bits = parameters.integer("bits"),
-                                                 .reference_V = parameters.real("reference_V")});
-}
 
 }  // namespace
 
@@ -100,6 +101,6 @@ extern constinit const SensorKind battery_kind{
                    .ports = kPorts,
                    .parameters = kParameters,
                    .source = "ours"},
-    .make = make};
+    .make = make_bound<Sensor, Battery, BatteryConfig>};
 
 }  // namespace ganglion::sim

@@ -7,10 +7,11 @@ namespace {
 
 constexpr std::array kPorts = {
     PortDescriptor{.name = "contact",
-                   .role = PortRole::Output,
-                   .type = ValueType::Discrete,
+                   .title = {"contact", "contacto"},
                    .help = {"1 if the robot touched anything since the last firing",
-                            "1 si el robot tocó algo desde el último disparo"}},
+                            "1 si el robot tocó algo desde el último disparo"},
+                   .role = PortRole::Output,
+                   .type = ValueType::Discrete},
 };
 
 Result<std::unique_ptr<Sensor>> make(const Parameters&) { return std::make_unique<Bumper>(); }

@@ -5,9 +5,9 @@
 namespace ganglion::sim {
 
 struct Cmps03Config {
-  double accuracy_rad = 3.5 * kPi / 180;  ///< Largest bias of a place.
+  Angle accuracy = Angle::from_deg(3.5);  ///< Largest bias of a place.
   double local_length_m = 5;              ///< Over which the bias goes through one period, along each axis.
-  double noise_rad = 0.1 * kPi / 180;     ///< Standard deviation of one reading.
+  Angle noise = Angle::from_deg(0.1);     ///< Standard deviation of one reading.
   Angle north = Angle::from_deg(90);      ///< Direction of magnetic north in the world.
 };
 

@@ -6,12 +6,12 @@
 namespace ganglion::sim {
 
 struct CompassConfig {
-  double noise_rad = 0;       ///< Standard deviation of one reading.
-  double bias_rad = 0;        ///< Added to every reading.
-  double local_bias_rad = 0;  ///< Amplitude of a bias that varies with the place.
+  Angle noise;                ///< Standard deviation of one reading.
+  Angle bias;                 ///< Added to every reading.
+  Angle local_bias;           ///< Amplitude of a bias that varies with the place.
   double local_length_m = 5;  ///< Over which that bias goes through one period.
   double lag_s = 0;
-  double resolution_rad = 0;  ///< Readings are multiples of it; 0 = as they are.
+  Angle resolution;  ///< Readings are multiples of it; 0 = as they are.
 };
 
 /// Tells the heading. Channel `heading` [rad]: the yaw of the sensor in the world's frame, in (-pi, pi],
@@ -26,7 +26,7 @@ class Compass final : public Sensor {
   Result<void> reset(const Scene& scene, Draws draws) override;
   bool follows() const noexcept override { return config_.lag_s > 0; }
   void follow(const Scene& scene, double step_s) noexcept override;
-  bool draws_normal() const noexcept override { return config_.noise_rad > 0; }
+  bool draws_normal() const noexcept override { return config_.noise.rad() > 0; }
   void measure(const Scene& scene, Draws& draws, std::span<double> values) noexcept override;
 
  private:

@@ -10,53 +10,66 @@ namespace {
 
 constexpr std::array kPorts = {
     PortDescriptor{.name = "va",
+                   .title = {"cosine voltage", "tensión del coseno"},
+                   .help = {"centre + amplitude cos(bearing)", "centro + amplitud cos(rumbo)"},
                    .role = PortRole::Output,
-                   .unit = "V",
-                   .help = {"centre + amplitude cos(bearing)", "centro + amplitud cos(rumbo)"}},
+                   .unit = "V"},
     PortDescriptor{.name = "vb",
+                   .title = {"sine voltage", "tensión del seno"},
+                   .help = {"centre + amplitude sin(bearing)", "centro + amplitud sen(rumbo)"},
                    .role = PortRole::Output,
-                   .unit = "V",
-                   .help = {"centre + amplitude sin(bearing)", "centro + amplitud sen(rumbo)"}},
+                   .unit = "V"},
 };
 
-constexpr ParameterDescriptor volts(std::string_view name, double preset, double min, Text help, bool ours = false) {
-  return {.name = name, .unit = "V", .preset = preset, .min = min, .max = 100, .help = help, .ours = ours};
-}
+using Config = DinsmoreCompassConfig;
 
 constexpr std::array kParameters = {
-    volts("centre_V", 2.5, 0, {"Voltage midway between the extremes", "Tensión media entre los extremos"}),
-    volts("amplitude_V", 0.594, 1e-3,
-          {"Half the swing of a full turn; 0.594 fits the listing's 107.14 deg/V",
-           "Media oscilación de una vuelta; 0,594 concuerda con los 107,14 grados/V del listado"},
-          true),
-    ParameterDescriptor{.name = "lag_s",
-                        .unit = "s",
-                        .preset = 1,
-                        .min = 0,
-                        .max = 60,
-                        .help = {"Time constant of the damped needle", "Constante de tiempo de la aguja amortiguada"},
-                        .ours = true},
-    volts("noise_V", 0, 0, {"Standard deviation of one reading", "Desviación típica de una lectura"}, true),
-    ParameterDescriptor{.name = "bits",
-                        .type = ParameterType::Integer,
-                        .preset = 10,
-                        .min = 0,
-                        .max = 24,
-                        .help = {"Of the converter; 0 = not rounded", "Del conversor; 0 = sin redondeo"}},
-    volts("reference_V", 5, 1e-3, {"Full scale of the converter", "Fondo de escala del conversor"}),
-    kMagneticNorth,
+    parameter<Config, &Config::centre_V>(
+        {.name = "centre_V",
+         .title = {"centre voltage", "tensión central"},
+         .help = {"Voltage midway between the extremes", "Tensión media entre los extremos"},
+         .unit = "V",
+         .min = 0,
+         .max = 100}),
+    parameter<Config, &Config::amplitude_V>(
+        {.name = "amplitude_V",
+         .title = {"amplitude", "amplitud"},
+         .help = {"Half the swing of a full turn; 0.594 fits the listing's 107.14 deg/V",
+                  "Media oscilación de una vuelta; 0,594 concuerda con los 107,14 grados/V del listado"},
+         .unit = "V",
+         .min = 1e-3,
+         .max = 100,
+         .ours = true}),
+    parameter<Config, &Config::lag_s>(
+        {.name = "lag_s",
+         .title = {"lag", "retardo"},
+         .help = {"Time constant of the damped needle", "Constante de tiempo de la aguja amortiguada"},
+         .unit = "s",
+         .min = 0,
+         .max = 60,
+         .ours = true}),
+    parameter<Config, &Config::noise_V>(
+        {.name = "noise_V",
+         .title = {"noise", "ruido"},
+         .help = {"Standard deviation of one reading", "Desviación típica de una lectura"},
+         .unit = "V",
+         .min = 0,
+         .max = 100,
+         .ours = true,
+         .live = true}),
+    parameter<Config, &Config::bits>({.name = "bits",
+                                      .title = {"converter bits", "bits del conversor"},
+                                      .help = {"Of the converter; 0 = not rounded", "Del conversor; 0 = sin redondeo"},
+                                      .min = 0,
+                                      .max = 24}),
+    parameter<Config, &Config::reference_V>({.name = "reference_V",
+                                             .title = {"full scale", "fondo de escala"},
+                                             .help = {"Full scale of the converter", "Fondo de escala del conversor"},
+                                             .unit = "V",
+                                             .min = 1e-3,
+                                             .max = 100}),
+    magnetic_north_parameter<Config>(),
 };
-
-Result<std::unique_ptr<Sensor>> make(const Parameters& parameters) {
-  return std::make_unique<DinsmoreCompass>(
-      DinsmoreCompassConfig{.centre_V = parameters.real("centre_V"),
-                            .amplitude_V = parameters.real("amplitude_V"),
-                            .lag_s = parameters.real("lag_s"),
-                            .noise_V = parameters.real("noise_V"),
-                            .bits = parameters.integer("bits"),
-                            .reference_V = parameters.real("reference_V"),
-                            .north = Angle::from_deg(parameters.real("north_deg"))});
-}
 
 }  // namespace
 
@@ -94,6 +107,6 @@ extern constinit const SensorKind dinsmore_compass_kind{
                    .ports = kPorts,
                    .parameters = kParameters,
                    .source = "Nimrod, section 5 (listing)"},
-    .make = make};
+    .make = make_bound<Sensor, DinsmoreCompass, DinsmoreCompassConfig>};
 
 }  // namespace ganglion::sim

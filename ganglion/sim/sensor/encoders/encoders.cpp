@@ -8,48 +8,48 @@ namespace {
 
 constexpr std::array kPorts = {
     PortDescriptor{.name = "left",
+                   .title = {"left travel", "recorrido izquierdo"},
+                   .help = {"Way of the left side since the reset", "Camino del lado izquierdo desde el inicio"},
                    .role = PortRole::Output,
-                   .unit = "m",
-                   .help = {"Way of the left side since the reset", "Camino del lado izquierdo desde el inicio"}},
+                   .unit = "m"},
     PortDescriptor{.name = "right",
+                   .title = {"right travel", "recorrido derecho"},
+                   .help = {"Way of the right side since the reset", "Camino del lado derecho desde el inicio"},
                    .role = PortRole::Output,
-                   .unit = "m",
-                   .help = {"Way of the right side since the reset", "Camino del lado derecho desde el inicio"}},
+                   .unit = "m"},
 };
 constexpr std::array kParameters = {
-    ParameterDescriptor{.name = "resolution_m",
-                        .unit = "m",
-                        .preset = 0,
-                        .min = 0,
-                        .max = 10,
-                        .help = {"Way of one count; 0 = continuous", "Camino de una cuenta; 0 = continuo"}},
-    ParameterDescriptor{.name = "left_scale",
-                        .preset = 1,
-                        .min = 0,
-                        .max = 10,
-                        .help = {"Read over true way of the left side", "Camino leído entre el real, lado izquierdo"},
-                        .ours = true},
-    ParameterDescriptor{.name = "right_scale",
-                        .preset = 1,
-                        .min = 0,
-                        .max = 10,
-                        .help = {"Read over true way of the right side", "Camino leído entre el real, lado derecho"},
-                        .ours = true},
-    ParameterDescriptor{
-        .name = "scatter_m",
-        .unit = "m",
-        .preset = 0,
-        .min = 0,
-        .max = 10,
-        .help = {"Standard deviation of a side's error after 1 m, growing with the root of the way: slip",
-                 "Desviación típica del error de un lado tras 1 m, crece con la raíz: deslizamiento"},
-        .ours = true},
+    parameter<EncodersConfig, &EncodersConfig::resolution_m>(
+        {.name = "resolution_m",
+         .title = {"resolution", "resolución"},
+         .help = {"Way of one count; 0 = continuous", "Camino de una cuenta; 0 = continuo"},
+         .unit = "m",
+         .min = 0,
+         .max = 10}),
+    parameter<EncodersConfig, &EncodersConfig::left_scale>(
+        {.name = "left_scale",
+         .title = {"left scale", "escala izquierda"},
+         .help = {"Read over true way of the left side", "Camino leído entre el real, lado izquierdo"},
+         .min = 0,
+         .max = 10,
+         .ours = true}),
+    parameter<EncodersConfig, &EncodersConfig::right_scale>(
+        {.name = "right_scale",
+         .title = {"right scale", "escala derecha"},
+         .help = {"Read over true way of the right side", "Camino leído entre el real, lado derecho"},
+         .min = 0,
+         .max = 10,
+         .ours = true}),
+    parameter<EncodersConfig, &EncodersConfig::scatter_m>(
+        {.name = "scatter_m",
+         .title = {"scatter", "dispersión"},
+         .help = {"Standard deviation of a side's error after 1 m, growing with the root of the way: slip",
+                  "Desviación típica del error de un lado tras 1 m, crece con la raíz: deslizamiento"},
+         .unit = "m",
+         .min = 0,
+         .max = 10,
+         .ours = true}),
 };
-
-Result<std::unique_ptr<Sensor>> make(const Parameters& parameters) {
-  return std::make_unique<Encoders>(EncodersConfig{parameters.real("resolution_m"), parameters.real("left_scale"),
-                                                   parameters.real("right_scale"), parameters.real("scatter_m")});
-}
 
 double counted_m(double way_m, double resolution_m) noexcept {
   return resolution_m > 0 ? std::floor(way_m / resolution_m) * resolution_m : way_m;
@@ -82,6 +82,6 @@ extern constinit const SensorKind encoders_kind{
                    .ports = kPorts,
                    .parameters = kParameters,
                    .source = "ours"},
-    .make = make};
+    .make = make_bound<Sensor, Encoders, EncodersConfig>};
 
 }  // namespace ganglion::sim

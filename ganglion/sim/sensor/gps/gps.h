@@ -4,13 +4,13 @@
 
 namespace ganglion::sim {
 
-/// Where on the Earth the world's origin lies.
+/// Where on the Earth the world's origin lies, and when: by default Medellín, 2026 (ours).
 struct Datum {
-  Angle latitude;
-  Angle longitude;
-  double altitude_m = 0;              ///< Above the ellipsoid.
+  Angle latitude = Angle::from_deg(6.25);
+  Angle longitude = Angle::from_deg(-75.57);
+  double altitude_m = 1500;           ///< Above the ellipsoid.
   Angle north = Angle::from_deg(90);  ///< Direction of true north in the world.
-  double utc_s = 0;                   ///< When an episode begins, seconds since 1970-01-01T00:00:00Z.
+  double utc_s = 1767225600;          ///< When an episode begins, seconds since 1970-01-01T00:00:00Z.
 };
 
 struct GpsConfig {

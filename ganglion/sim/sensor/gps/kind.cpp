@@ -6,86 +6,166 @@ namespace {
 constexpr std::array<ElementDescriptor, 2> kCoordinates = {"x", "y"};
 constexpr std::array kPorts = {
     PortDescriptor{.name = "position",
+                   .title = {"position", "posición"},
+                   .help = {"The fix on the world's ground plane", "La posición en el plano del mundo"},
                    .role = PortRole::Output,
                    .unit = "m",
                    .size = 2,
-                   .elements = kCoordinates,
-                   .help = {"The fix on the world's ground plane", "La posición en el plano del mundo"}},
-    PortDescriptor{
-        .name = "latitude", .role = PortRole::Output, .unit = "deg", .help = {"North of the equator", "Latitud norte"}},
-    PortDescriptor{
-        .name = "longitude", .role = PortRole::Output, .unit = "deg", .help = {"East of Greenwich", "Longitud este"}},
-    PortDescriptor{.name = "altitude",
+                   .elements = kCoordinates},
+    PortDescriptor{.name = "latitude",
+                   .title = {"latitude", "latitud"},
+                   .help = {"North of the equator", "Latitud norte"},
                    .role = PortRole::Output,
-                   .unit = "m",
-                   .help = {"Above the ellipsoid", "Sobre el elipsoide"}},
+                   .unit = "deg"},
+    PortDescriptor{.name = "longitude",
+                   .title = {"longitude", "longitud"},
+                   .help = {"East of Greenwich", "Longitud este"},
+                   .role = PortRole::Output,
+                   .unit = "deg"},
+    PortDescriptor{.name = "altitude",
+                   .title = {"altitude", "altitud"},
+                   .help = {"Above the ellipsoid", "Sobre el elipsoide"},
+                   .role = PortRole::Output,
+                   .unit = "m"},
     PortDescriptor{.name = "course",
+                   .title = {"course over ground", "rumbo sobre el suelo"},
+                   .help = {"Course over ground in the world, counter-clockwise from x; nan when slow",
+                            "Rumbo sobre el suelo en el mundo, antihorario desde x; nan si va lento"},
                    .role = PortRole::Output,
                    .unit = "rad",
-                   .type = ValueType::Circular,
-                   .help = {"Course over ground in the world, counter-clockwise from x; nan when slow",
-                            "Rumbo sobre el suelo en el mundo, antihorario desde x; nan si va lento"}},
+                   .type = ValueType::Circular},
     PortDescriptor{.name = "speed",
+                   .title = {"ground speed", "velocidad"},
+                   .help = {"Speed over ground", "Velocidad sobre el suelo"},
                    .role = PortRole::Output,
-                   .unit = "m/s",
-                   .help = {"Speed over ground", "Velocidad sobre el suelo"}},
+                   .unit = "m/s"},
     PortDescriptor{.name = "utc",
+                   .title = {"UTC time", "hora UTC"},
+                   .help = {"Seconds since 1970-01-01 UTC", "Segundos desde 1970-01-01 UTC"},
                    .role = PortRole::Output,
-                   .unit = "s",
-                   .help = {"Seconds since 1970-01-01 UTC", "Segundos desde 1970-01-01 UTC"}},
+                   .unit = "s"},
     PortDescriptor{.name = "fix",
+                   .title = {"fix", "posición válida"},
+                   .help = {"1 with a fix, else 0", "1 si hay posición, si no 0"},
                    .role = PortRole::Output,
-                   .type = ValueType::Discrete,
-                   .help = {"1 with a fix, else 0", "1 si hay posición, si no 0"}},
+                   .type = ValueType::Discrete},
 };
 
-constexpr ParameterDescriptor real(std::string_view name, std::string_view unit, double preset, double min, double max,
-                                   Text help) {
-  return {.name = name, .unit = unit, .preset = preset, .min = min, .max = max, .help = help, .ours = true};
-}
+using Config = GpsConfig;
+
+/// A member of the datum.
+template <auto Member>
+constexpr auto kDatum = [](Config& config) -> auto& {
+  return config.datum.*Member;
+};
 
 constexpr std::array kParameters = {
-    real("latitude_deg", "deg", 6.25, -89, 89, {"Of the world's origin", "Del origen del mundo"}),
-    real("longitude_deg", "deg", -75.57, -180, 180, {"Of the world's origin", "Del origen del mundo"}),
-    real("altitude_m", "m", 1500, -1000, 50000, {"Of the world's origin", "Del origen del mundo"}),
-    real("north_deg", "deg", 90, -360, 360,
-         {"Direction of true north in the world, counter-clockwise from x",
-          "Dirección del norte geográfico en el mundo, antihorario desde x"}),
-    real("utc_s", "s", 1767225600, 0, 1e11,
-         {"When an episode begins, since 1970; preset: 2026-01-01", "Comienzo del episodio, desde 1970; 2026-01-01"}),
-    real("noise_m", "m", 0.5, 0, 1000,
-         {"Standard deviation of one fix, each way", "Desviación típica de una posición, en cada sentido"}),
-    real("drift_m", "m", 1.5, 0, 1000,
-         {"Standard deviation of the slow error, each way", "Desviación típica del error lento, en cada sentido"}),
-    real("drift_s", "s", 120, 1e-3, 1e6,
-         {"Correlation time of the slow error", "Tiempo de correlación del error lento"}),
-    real("vertical_factor", "", 1.5, 0, 100,
-         {"Errors of the altitude over those along the ground", "Error de altitud entre el error en el plano"}),
-    real("velocity_noise_mps", "m/s", 0.05, 0, 100,
-         {"Standard deviation of the velocity, each way", "Desviación típica de la velocidad, en cada sentido"}),
-    real("course_from_mps", "m/s", 0.1, 0, 100,
-         {"Slower than that there is no course", "Más lento que eso no hay rumbo"}),
-    real("lost_every_s", "s", 0, 0, 1e9,
-         {"Mean time between spells without a fix; 0 = never lost",
-          "Tiempo medio entre pérdidas de señal; 0 = nunca se pierde"}),
-    real("lost_for_s", "s", 10, 1e-3, 1e9, {"Mean length of such a spell", "Duración media de una pérdida"}),
+    parameter<Config, kDatum<&Datum::latitude>>({.name = "latitude_deg",
+                                                 .title = {"origin latitude", "latitud del origen"},
+                                                 .help = {"Of the world's origin", "Del origen del mundo"},
+                                                 .unit = "deg",
+                                                 .min = -89,
+                                                 .max = 89,
+                                                 .ours = true}),
+    parameter<Config, kDatum<&Datum::longitude>>({.name = "longitude_deg",
+                                                  .title = {"origin longitude", "longitud del origen"},
+                                                  .help = {"Of the world's origin", "Del origen del mundo"},
+                                                  .unit = "deg",
+                                                  .min = -180,
+                                                  .max = 180,
+                                                  .ours = true}),
+    parameter<Config, kDatum<&Datum::altitude_m>>({.name = "altitude_m",
+                                                   .title = {"origin altitude", "altitud del origen"},
+                                                   .help = {"Of the world's origin", "Del origen del mundo"},
+                                                   .unit = "m",
+                                                   .min = -1000,
+                                                   .max = 50000,
+                                                   .ours = true}),
+    parameter<Config, kDatum<&Datum::north>>(
+        {.name = "north_deg",
+         .title = {"true north", "norte geográfico"},
+         .help = {"Direction of true north in the world, counter-clockwise from x",
+                  "Dirección del norte geográfico en el mundo, antihorario desde x"},
+         .unit = "deg",
+         .min = -360,
+         .max = 360,
+         .ours = true}),
+    parameter<Config, kDatum<&Datum::utc_s>>({.name = "utc_s",
+                                              .title = {"start time", "hora de comienzo"},
+                                              .help = {"When an episode begins, since 1970; preset: 2026-01-01",
+                                                       "Comienzo del episodio, desde 1970; 2026-01-01"},
+                                              .unit = "s",
+                                              .min = 0,
+                                              .max = 1e11,
+                                              .ours = true}),
+    parameter<Config, &Config::noise_m>(
+        {.name = "noise_m",
+         .title = {"noise", "ruido"},
+         .help = {"Standard deviation of one fix, each way", "Desviación típica de una posición, en cada sentido"},
+         .unit = "m",
+         .min = 0,
+         .max = 1000,
+         .ours = true,
+         .live = true}),
+    parameter<Config, &Config::drift_m>({.name = "drift_m",
+                                         .title = {"drift", "deriva"},
+                                         .help = {"Standard deviation of the slow error, each way",
+                                                  "Desviación típica del error lento, en cada sentido"},
+                                         .unit = "m",
+                                         .min = 0,
+                                         .max = 1000,
+                                         .ours = true,
+                                         .live = true}),
+    parameter<Config, &Config::drift_s>(
+        {.name = "drift_s",
+         .title = {"drift correlation time", "correlación de deriva"},
+         .help = {"Correlation time of the slow error", "Tiempo de correlación del error lento"},
+         .unit = "s",
+         .min = 1e-3,
+         .max = 1e6,
+         .ours = true}),
+    parameter<Config, &Config::vertical_factor>(
+        {.name = "vertical_factor",
+         .title = {"vertical factor", "factor vertical"},
+         .help = {"Errors of the altitude over those along the ground", "Error de altitud entre el error en el plano"},
+         .min = 0,
+         .max = 100,
+         .ours = true,
+         .live = true}),
+    parameter<Config, &Config::velocity_noise_mps>(
+        {.name = "velocity_noise_mps",
+         .title = {"velocity noise", "ruido de velocidad"},
+         .help = {"Standard deviation of the velocity, each way", "Desviación típica de la velocidad, en cada sentido"},
+         .unit = "m/s",
+         .min = 0,
+         .max = 100,
+         .ours = true,
+         .live = true}),
+    parameter<Config, &Config::course_from_mps>(
+        {.name = "course_from_mps",
+         .title = {"course threshold", "umbral de rumbo"},
+         .help = {"Slower than that there is no course", "Más lento que eso no hay rumbo"},
+         .unit = "m/s",
+         .min = 0,
+         .max = 100,
+         .ours = true,
+         .live = true}),
+    parameter<Config, &Config::lost_every_s>({.name = "lost_every_s",
+                                              .title = {"time between losses", "tiempo entre pérdidas"},
+                                              .help = {"Mean time between spells without a fix; 0 = never lost",
+                                                       "Tiempo medio entre pérdidas de señal; 0 = nunca se pierde"},
+                                              .unit = "s",
+                                              .min = 0,
+                                              .max = 1e9,
+                                              .ours = true}),
+    parameter<Config, &Config::lost_for_s>({.name = "lost_for_s",
+                                            .title = {"loss duration", "duración de pérdida"},
+                                            .help = {"Mean length of such a spell", "Duración media de una pérdida"},
+                                            .unit = "s",
+                                            .min = 1e-3,
+                                            .max = 1e9,
+                                            .ours = true}),
 };
-
-Result<std::unique_ptr<Sensor>> make(const Parameters& parameters) {
-  const auto degrees = [&](std::string_view name) { return Angle::from_deg(parameters.real(name)); };
-  GpsConfig config;
-  config.datum = {degrees("latitude_deg"), degrees("longitude_deg"), parameters.real("altitude_m"),
-                  degrees("north_deg"), parameters.real("utc_s")};
-  config.noise_m = parameters.real("noise_m");
-  config.drift_m = parameters.real("drift_m");
-  config.drift_s = parameters.real("drift_s");
-  config.vertical_factor = parameters.real("vertical_factor");
-  config.velocity_noise_mps = parameters.real("velocity_noise_mps");
-  config.course_from_mps = parameters.real("course_from_mps");
-  config.lost_every_s = parameters.real("lost_every_s");
-  config.lost_for_s = parameters.real("lost_for_s");
-  return std::make_unique<Gps>(config);
-}
 
 }  // namespace
 
@@ -97,6 +177,6 @@ extern constinit const SensorKind gps_kind{
                    .ports = kPorts,
                    .parameters = kParameters,
                    .source = "WGS 84 for the radii; Gauss-Markov drift after Brown and Hwang; numbers ours"},
-    .make = make};
+    .make = make_bound<Sensor, Gps, GpsConfig>};
 
 }  // namespace ganglion::sim

@@ -13,58 +13,83 @@ constexpr std::array<ElementDescriptor, 64> kPixels = {
 
 constexpr std::array kPorts = {
     PortDescriptor{.name = "pixels",
+                   .title = {"pixels", "píxeles"},
+                   .help = {"Brightness, 0 black to 1, rows from the top, from left to right",
+                            "Brillo, 0 negro a 1, filas desde arriba, de izquierda a derecha"},
                    .role = PortRole::Output,
                    .size = 64,
-                   .elements = kPixels,
-                   .help = {"Brightness, 0 black to 1, rows from the top, from left to right",
-                            "Brillo, 0 negro a 1, filas desde arriba, de izquierda a derecha"}},
+                   .elements = kPixels},
 };
 
 constexpr std::array<std::string_view, 4> kFilters = {"grey", "red", "green", "blue"};
 
-constexpr ParameterDescriptor real(std::string_view name, std::string_view unit, double preset, double min, double max,
-                                   Text help) {
-  return {.name = name, .unit = unit, .preset = preset, .min = min, .max = max, .help = help, .ours = true};
-}
+using Config = PixelMatrixConfig;
 
 constexpr std::array kParameters = {
-    real("width_deg", "deg", 64, 1, 170, {"Field of view across", "Campo de visión horizontal"}),
-    real("height_deg", "deg", 64, 1, 90, {"Field of view up and down", "Campo de visión vertical"}),
-    real("down_deg", "deg", 20, -40, 40,
-         {"How far the middle of the picture lies below the horizon",
-          "Cuánto queda el centro de la imagen bajo el horizonte"}),
-    real("height_m", "m", 0.2, 0.001, 100, {"Of the lens above the floor", "De la lente sobre el suelo"}),
-    real("reach_m", "m", 10, 0.01, 1000, {"Farther off there is only background", "Más lejos solo hay fondo"}),
-    real("wall_height_m", "m", 2, 0, 100, {"How high walls and robots stand", "Altura de paredes y robots"}),
-    ParameterDescriptor{.name = "filter",
-                        .type = ParameterType::Choice,
-                        .choices = kFilters,
-                        .help = {"The part of the light it takes", "La parte de la luz que toma"},
-                        .ours = true},
-    real("noise", "", 0.02, 0, 1, {"Standard deviation of one pixel", "Desviación típica de un píxel"}),
-    ParameterDescriptor{
-        .name = "levels",
-        .type = ParameterType::Integer,
-        .preset = 64,
-        .min = 0,
-        .max = 65536,
-        .help = {"Pixels take that many values; 0 = not rounded", "Los píxeles toman tantos valores; 0 = sin redondeo"},
-        .ours = true},
+    parameter<Config, &Config::width>({.name = "width_deg",
+                                       .title = {"horizontal field", "campo horizontal"},
+                                       .help = {"Field of view across", "Campo de visión horizontal"},
+                                       .unit = "deg",
+                                       .min = 1,
+                                       .max = 170,
+                                       .ours = true}),
+    parameter<Config, &Config::height>({.name = "height_deg",
+                                        .title = {"vertical field", "campo vertical"},
+                                        .help = {"Field of view up and down", "Campo de visión vertical"},
+                                        .unit = "deg",
+                                        .min = 1,
+                                        .max = 90,
+                                        .ours = true}),
+    parameter<Config, &Config::down>({.name = "down_deg",
+                                      .title = {"depression angle", "ángulo de depresión"},
+                                      .help = {"How far the middle of the picture lies below the horizon",
+                                               "Cuánto queda el centro de la imagen bajo el horizonte"},
+                                      .unit = "deg",
+                                      .min = -40,
+                                      .max = 40,
+                                      .ours = true}),
+    parameter<Config, &Config::height_m>({.name = "height_m",
+                                          .title = {"lens height", "altura de la lente"},
+                                          .help = {"Of the lens above the floor", "De la lente sobre el suelo"},
+                                          .unit = "m",
+                                          .min = 0.001,
+                                          .max = 100,
+                                          .ours = true}),
+    parameter<Config, &Config::reach_m>({.name = "reach_m",
+                                         .title = {"reach", "alcance"},
+                                         .help = {"Farther off there is only background", "Más lejos solo hay fondo"},
+                                         .unit = "m",
+                                         .min = 0.01,
+                                         .max = 1000,
+                                         .ours = true}),
+    parameter<Config, &Config::wall_height_m>(
+        {.name = "wall_height_m",
+         .title = {"wall height", "altura de paredes"},
+         .help = {"How high walls and robots stand", "Altura de paredes y robots"},
+         .unit = "m",
+         .min = 0,
+         .max = 100,
+         .ours = true}),
+    parameter<Config, &Config::filter>({.name = "filter",
+                                        .title = {"filter", "filtro"},
+                                        .help = {"The part of the light it takes", "La parte de la luz que toma"},
+                                        .choices = kFilters,
+                                        .ours = true}),
+    parameter<Config, &Config::noise>({.name = "noise",
+                                       .title = {"noise", "ruido"},
+                                       .help = {"Standard deviation of one pixel", "Desviación típica de un píxel"},
+                                       .min = 0,
+                                       .max = 1,
+                                       .ours = true,
+                                       .live = true}),
+    parameter<Config, &Config::levels>({.name = "levels",
+                                        .title = {"levels", "niveles"},
+                                        .help = {"Pixels take that many values; 0 = not rounded",
+                                                 "Los píxeles toman tantos valores; 0 = sin redondeo"},
+                                        .min = 0,
+                                        .max = 65536,
+                                        .ours = true}),
 };
-
-Result<std::unique_ptr<Sensor>> make(const Parameters& parameters) {
-  const auto degrees = [&](std::string_view name) { return Angle::from_deg(parameters.real(name)); };
-  return std::make_unique<PixelMatrix>(
-      PixelMatrixConfig{.width = degrees("width_deg"),
-                        .height = degrees("height_deg"),
-                        .down = degrees("down_deg"),
-                        .height_m = parameters.real("height_m"),
-                        .reach_m = parameters.real("reach_m"),
-                        .wall_height_m = parameters.real("wall_height_m"),
-                        .filter = static_cast<Filter>(parameters.choice_index("filter")),
-                        .noise = parameters.real("noise"),
-                        .levels = parameters.integer("levels")});
-}
 
 }  // namespace
 
@@ -76,6 +101,6 @@ extern constinit const SensorKind pixel_matrix_kind{
                    .ports = kPorts,
                    .parameters = kParameters,
                    .source = "the 8 x 8 pixel matrix of the GFM papers' feedback; optics ours"},
-    .make = make};
+    .make = make_bound<Sensor, PixelMatrix, PixelMatrixConfig>};
 
 }  // namespace ganglion::sim

@@ -4,7 +4,7 @@
 
 namespace ganglion::sim {
 
-/// Which part of the light a camera takes.
+/// Which part of the light a camera takes; in the order of the words in files.
 enum class Filter : std::uint8_t { Grey, Red, Green, Blue };
 
 struct PixelMatrixConfig {

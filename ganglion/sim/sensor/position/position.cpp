@@ -8,34 +8,33 @@ namespace {
 constexpr std::array<ElementDescriptor, 2> kCoordinates = {"x", "y"};
 constexpr std::array kPorts = {
     PortDescriptor{.name = "position",
+                   .title = {"position", "posición"},
+                   .help = {"Where the sensor is, in the world", "Dónde está el sensor, en el mundo"},
                    .role = PortRole::Output,
                    .unit = "m",
                    .size = 2,
-                   .elements = kCoordinates,
-                   .help = {"Where the sensor is, in the world", "Dónde está el sensor, en el mundo"}},
+                   .elements = kCoordinates},
 };
 constexpr std::array kParameters = {
-    ParameterDescriptor{.name = "noise_m",
-                        .unit = "m",
-                        .preset = 0,
-                        .min = 0,
-                        .max = 1000,
-                        .help = {"Standard deviation of each coordinate of one reading",
-                                 "Desviación típica de cada coordenada de una lectura"}},
+    parameter<PositionConfig, &PositionConfig::noise_m>(
+        {.name = "noise_m",
+         .title = {"noise", "ruido"},
+         .help = {"Standard deviation of each coordinate of one reading",
+                  "Desviación típica de cada coordenada de una lectura"},
+         .unit = "m",
+         .min = 0,
+         .max = 1000,
+         .live = true}),
 };
-
-Result<std::unique_ptr<Sensor>> make(const Parameters& parameters) {
-  return std::make_unique<Position>(parameters.real("noise_m"));
-}
 
 }  // namespace
 
 void Position::measure(const Scene& scene, Draws& draws, std::span<double> values) noexcept {
   values[0] = scene.mount().position.x;
   values[1] = scene.mount().position.y;
-  if (noise_m_ <= 0) return;
-  values[0] += noise_m_ * draws.normal();
-  values[1] += noise_m_ * draws.normal();
+  if (config_.noise_m <= 0) return;
+  values[0] += config_.noise_m * draws.normal();
+  values[1] += config_.noise_m * draws.normal();
 }
 
 extern constinit const SensorKind position_kind{
@@ -45,6 +44,6 @@ extern constinit const SensorKind position_kind{
                    .ports = kPorts,
                    .parameters = kParameters,
                    .source = "ours"},
-    .make = make};
+    .make = make_bound<Sensor, Position, PositionConfig>};
 
 }  // namespace ganglion::sim

@@ -8,44 +8,47 @@ namespace {
 
 constexpr std::array kPorts = {
     PortDescriptor{.name = "range",
-                   .role = PortRole::Output,
-                   .unit = "m",
+                   .title = {"range", "distancia"},
                    .help = {"Range to the first surface; inf = nothing in range, -inf = too close",
-                            "Distancia a la primera superficie; inf = nada al alcance, -inf = demasiado cerca"}},
+                            "Distancia a la primera superficie; inf = nada al alcance, -inf = demasiado cerca"},
+                   .role = PortRole::Output,
+                   .unit = "m"},
 };
 constexpr std::array kParameters = {
-    ParameterDescriptor{.name = "min_range_m",
-                        .unit = "m",
-                        .preset = 0,
-                        .min = 0,
-                        .max = 1000,
-                        .help = {"Nearer surfaces read -inf", "Superficies más cercanas dan -inf"}},
-    ParameterDescriptor{.name = "max_range_m",
-                        .unit = "m",
-                        .preset = 3,
-                        .min = 1e-3,
-                        .max = 1000,
-                        .help = {"Farther surfaces read inf", "Superficies más lejanas dan inf"}},
-    ParameterDescriptor{.name = "noise_m",
-                        .unit = "m",
-                        .preset = 0,
-                        .min = 0,
-                        .max = 100,
-                        .help = {"Standard deviation of one reading", "Desviación típica de una lectura"}},
+    parameter<RangeConfig, &RangeConfig::min_range_m>(
+        {.name = "min_range_m",
+         .title = {"minimum range", "alcance mínimo"},
+         .help = {"Nearer surfaces read -inf", "Superficies más cercanas dan -inf"},
+         .unit = "m",
+         .min = 0,
+         .max = 1000}),
+    parameter<RangeConfig, &RangeConfig::max_range_m>(
+        {.name = "max_range_m",
+         .title = {"maximum range", "alcance máximo"},
+         .help = {"Farther surfaces read inf", "Superficies más lejanas dan inf"},
+         .unit = "m",
+         .min = 1e-3,
+         .max = 1000}),
+    parameter<RangeConfig, &RangeConfig::noise_m>(
+        {.name = "noise_m",
+         .title = {"noise", "ruido"},
+         .help = {"Standard deviation of one reading", "Desviación típica de una lectura"},
+         .unit = "m",
+         .min = 0,
+         .max = 100}),
 };
 
-Result<std::unique_ptr<Sensor>> make(const Parameters& parameters) {
-  const RangeConfig config{parameters.real("min_range_m"), parameters.real("max_range_m"), parameters.real("noise_m")};
+}  // namespace
+
+Result<void> Range::judge(RangeConfig& config) {
   if (config.min_range_m >= config.max_range_m) {
     return fail(ErrorCode::BadParameter,
                 {"min_range_m is {}, must be less than max_range_m = {}",
                  "min_range_m es {}, debe ser menor que max_range_m = {}"},
                 config.min_range_m, config.max_range_m);
   }
-  return std::make_unique<Range>(config);
+  return {};
 }
-
-}  // namespace
 
 void Range::measure(const Scene& scene, Draws& draws, std::span<double> values) noexcept {
   const double noise_m = config_.noise_m > 0 ? draws.normal() * config_.noise_m : 0;
@@ -60,6 +63,6 @@ extern constinit const SensorKind range_kind{.descriptor = {.component_class = C
                                                             .ports = kPorts,
                                                             .parameters = kParameters,
                                                             .source = "ours"},
-                                             .make = make};
+                                             .make = make_bound<Sensor, Range, RangeConfig>};
 
 }  // namespace ganglion::sim

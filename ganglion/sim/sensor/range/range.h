@@ -15,6 +15,8 @@ struct RangeConfig {
 class Range final : public Sensor {
  public:
   explicit Range(const RangeConfig& config) noexcept : config_(config) {}
+  /// Fails with BadParameter unless min_range_m is less than max_range_m.
+  static Result<void> judge(RangeConfig& config);
   bool remembers() const noexcept override { return false; }
   Limits limits(std::size_t) const noexcept override { return {config_.min_range_m, config_.max_range_m}; }
   double reach_m() const noexcept override { return config_.max_range_m; }

@@ -7,10 +7,14 @@
 
 namespace ganglion::sim {
 
+enum class SonarDevice : std::uint8_t { Ping, Srf02, Polaroid };
+
 /// What a device says of a surface nearer than its blind zone.
 enum class TooClose : std::uint8_t { MinusInfinity, Minimum };
 
+/// By itself a Parallax PING.
 struct SonarConfig {
+  SonarDevice device = SonarDevice::Ping;
   Angle cone = Angle::from_deg(40);  ///< Full opening angle: the -6 dB cone.
   bool fading = false;               ///< Echoes from off the axis are weaker.
   int rays = 7;                      ///< Spread evenly over it.
@@ -54,6 +58,9 @@ struct SonarConfig {
 class Sonar final : public Sensor {
  public:
   explicit Sonar(const SonarConfig& config);
+  /// Takes from its device what `values` do not give: cone, ranges, resolution, echo times and what is too close. Fails
+  /// with BadParameter unless min_range_m is less than max_range_m then.
+  static Result<void> judge(SonarConfig& config, const Parameters& values);
   bool remembers() const noexcept override { return false; }
   Limits limits(std::size_t channel) const noexcept override;
   double reach_m() const noexcept override { return config_.max_range_m; }

@@ -8,38 +8,58 @@ namespace {
 
 constexpr std::array kPorts = {
     PortDescriptor{.name = "temperature",
+                   .title = {"temperature", "temperatura"},
+                   .help = {"Temperature of the air", "Temperatura del aire"},
                    .role = PortRole::Output,
-                   .unit = "degC",
-                   .help = {"Temperature of the air", "Temperatura del aire"}},
+                   .unit = "degC"},
 };
 
-constexpr ParameterDescriptor celsius(std::string_view name, double preset, double min, double max, Text help) {
-  return {.name = name, .unit = "degC", .preset = preset, .min = min, .max = max, .help = help, .ours = true};
-}
+using Config = ThermometerConfig;
 
 constexpr std::array kParameters = {
-    celsius("air_C", 20, -60, 80,
-            {"Temperature of the air away from warmer zones", "Temperatura del aire fuera de zonas más cálidas"}),
-    celsius("noise_C", 0.1, 0, 100, {"Standard deviation of one reading", "Desviación típica de una lectura"}),
-    celsius("bias_C", 0, -100, 100, {"Added to every reading", "Se suma a cada lectura"}),
-    celsius("resolution_C", 0.5, 0, 100,
-            {"Readings are multiples of it; 0 = not rounded", "Las lecturas son múltiplos; 0 = sin redondeo"}),
-    ParameterDescriptor{.name = "lag_s",
-                        .unit = "s",
-                        .preset = 0,
-                        .min = 0,
-                        .max = 3600,
-                        .help = {"Time constant of its body", "Constante de tiempo de su cuerpo"},
-                        .ours = true},
+    parameter<Config, &Config::air_C>(
+        {.name = "air_C",
+         .title = {"air temperature", "temperatura del aire"},
+         .help = {"Temperature of the air away from warmer zones", "Temperatura del aire fuera de zonas más cálidas"},
+         .unit = "degC",
+         .min = -60,
+         .max = 80,
+         .ours = true,
+         .live = true}),
+    parameter<Config, &Config::noise_C>(
+        {.name = "noise_C",
+         .title = {"noise", "ruido"},
+         .help = {"Standard deviation of one reading", "Desviación típica de una lectura"},
+         .unit = "degC",
+         .min = 0,
+         .max = 100,
+         .ours = true,
+         .live = true}),
+    parameter<Config, &Config::bias_C>({.name = "bias_C",
+                                        .title = {"bias", "sesgo"},
+                                        .help = {"Added to every reading", "Se suma a cada lectura"},
+                                        .unit = "degC",
+                                        .min = -100,
+                                        .max = 100,
+                                        .ours = true,
+                                        .live = true}),
+    parameter<Config, &Config::resolution_C>(
+        {.name = "resolution_C",
+         .title = {"resolution", "resolución"},
+         .help = {"Readings are multiples of it; 0 = not rounded", "Las lecturas son múltiplos; 0 = sin redondeo"},
+         .unit = "degC",
+         .min = 0,
+         .max = 100,
+         .ours = true,
+         .live = true}),
+    parameter<Config, &Config::lag_s>({.name = "lag_s",
+                                       .title = {"lag", "retardo"},
+                                       .help = {"Time constant of its body", "Constante de tiempo de su cuerpo"},
+                                       .unit = "s",
+                                       .min = 0,
+                                       .max = 3600,
+                                       .ours = true}),
 };
-
-Result<std::unique_ptr<Sensor>> make(const Parameters& parameters) {
-  return std::make_unique<Thermometer>(ThermometerConfig{.air_C = parameters.real("air_C"),
-                                                         .noise_C = parameters.real("noise_C"),
-                                                         .bias_C = parameters.real("bias_C"),
-                                                         .lag_s = parameters.real("lag_s"),
-                                                         .resolution_C = parameters.real("resolution_C")});
-}
 
 }  // namespace
 
@@ -70,6 +90,6 @@ extern constinit const SensorKind thermometer_kind{
                    .ports = kPorts,
                    .parameters = kParameters,
                    .source = "ours"},
-    .make = make};
+    .make = make_bound<Sensor, Thermometer, ThermometerConfig>};
 
 }  // namespace ganglion::sim

@@ -10,44 +10,68 @@ namespace {
 
 constexpr std::array kPorts = {
     PortDescriptor{.name = "roll",
+                   .title = {"roll", "alabeo"},
+                   .help = {"Positive with the left side up", "Positivo con el lado izquierdo arriba"},
                    .role = PortRole::Output,
-                   .unit = "rad",
-                   .help = {"Positive with the left side up", "Positivo con el lado izquierdo arriba"}},
+                   .unit = "rad"},
     PortDescriptor{.name = "pitch",
+                   .title = {"pitch", "cabeceo"},
+                   .help = {"Positive with the nose down", "Positivo con el frente abajo"},
                    .role = PortRole::Output,
-                   .unit = "rad",
-                   .help = {"Positive with the nose down", "Positivo con el frente abajo"}},
+                   .unit = "rad"},
 };
-
-constexpr ParameterDescriptor degrees(std::string_view name, double preset, double min, double max, Text help) {
-  return {.name = name, .unit = "deg", .preset = preset, .min = min, .max = max, .help = help, .ours = true};
-}
 
 constexpr std::array kParameters = {
-    degrees("noise_deg", 0.5, 0, 90, {"Standard deviation of one reading", "Desviación típica de una lectura"}),
-    degrees("roll_bias_deg", 0, -90, 90, {"Added to every roll", "Se suma a cada alabeo"}),
-    degrees("pitch_bias_deg", 0, -90, 90, {"Added to every pitch", "Se suma a cada cabeceo"}),
-    degrees("max_deg", 60, 1, 90, {"Readings end there", "Las lecturas acaban ahí"}),
-    degrees("resolution_deg", 0, 0, 90,
-            {"Readings are multiples of it; 0 = not rounded", "Las lecturas son múltiplos; 0 = sin redondeo"}),
-    ParameterDescriptor{.name = "lag_s",
-                        .unit = "s",
-                        .preset = 0,
-                        .min = 0,
-                        .max = 60,
-                        .help = {"Time constant of the device", "Constante de tiempo del sensor"},
-                        .ours = true},
+    parameter<TiltConfig, &TiltConfig::noise>(
+        {.name = "noise_deg",
+         .title = {"noise", "ruido"},
+         .help = {"Standard deviation of one reading", "Desviación típica de una lectura"},
+         .unit = "deg",
+         .min = 0,
+         .max = 90,
+         .ours = true,
+         .live = true}),
+    parameter<TiltConfig, &TiltConfig::roll_bias>({.name = "roll_bias_deg",
+                                                   .title = {"roll bias", "sesgo de alabeo"},
+                                                   .help = {"Added to every roll", "Se suma a cada alabeo"},
+                                                   .unit = "deg",
+                                                   .min = -90,
+                                                   .max = 90,
+                                                   .ours = true,
+                                                   .live = true}),
+    parameter<TiltConfig, &TiltConfig::pitch_bias>({.name = "pitch_bias_deg",
+                                                    .title = {"pitch bias", "sesgo de cabeceo"},
+                                                    .help = {"Added to every pitch", "Se suma a cada cabeceo"},
+                                                    .unit = "deg",
+                                                    .min = -90,
+                                                    .max = 90,
+                                                    .ours = true,
+                                                    .live = true}),
+    parameter<TiltConfig, &TiltConfig::max>({.name = "max_deg",
+                                             .title = {"measuring limit", "límite de medida"},
+                                             .help = {"Readings end there", "Las lecturas acaban ahí"},
+                                             .unit = "deg",
+                                             .min = 1,
+                                             .max = 90,
+                                             .ours = true}),
+    parameter<TiltConfig, &TiltConfig::resolution>(
+        {.name = "resolution_deg",
+         .title = {"resolution", "resolución"},
+         .help = {"Readings are multiples of it; 0 = not rounded", "Las lecturas son múltiplos; 0 = sin redondeo"},
+         .unit = "deg",
+         .min = 0,
+         .max = 90,
+         .ours = true,
+         .live = true}),
+    parameter<TiltConfig, &TiltConfig::lag_s>(
+        {.name = "lag_s",
+         .title = {"lag", "retardo"},
+         .help = {"Time constant of the device", "Constante de tiempo del sensor"},
+         .unit = "s",
+         .min = 0,
+         .max = 60,
+         .ours = true}),
 };
-
-Result<std::unique_ptr<Sensor>> make(const Parameters& parameters) {
-  const auto rad = [&](std::string_view name) { return Angle::from_deg(parameters.real(name)).rad(); };
-  return std::make_unique<Tilt>(TiltConfig{.noise_rad = rad("noise_deg"),
-                                           .roll_bias_rad = rad("roll_bias_deg"),
-                                           .pitch_bias_rad = rad("pitch_bias_deg"),
-                                           .lag_s = parameters.real("lag_s"),
-                                           .max_rad = rad("max_deg"),
-                                           .resolution_rad = rad("resolution_deg")});
-}
 
 struct Attitude {
   double roll_rad = 0;
@@ -79,18 +103,18 @@ void Tilt::follow(const Scene& scene, double step_s) noexcept {
 }
 
 double Tilt::read(double angle_rad) const noexcept {
-  if (config_.resolution_rad > 0) {
-    angle_rad = std::floor(angle_rad / config_.resolution_rad + 0.5) * config_.resolution_rad;
+  if (const double step_rad = config_.resolution.rad(); step_rad > 0) {
+    angle_rad = std::floor(angle_rad / step_rad + 0.5) * step_rad;
   }
-  return std::clamp(angle_rad, -config_.max_rad, config_.max_rad);
+  return std::clamp(angle_rad, -config_.max.rad(), config_.max.rad());
 }
 
 void Tilt::measure(const Scene& scene, Draws& draws, std::span<double> values) noexcept {
   const Attitude attitude = config_.lag_s > 0 ? Attitude{roll_rad_, pitch_rad_} : attitude_of(scene);
-  const double roll_noise_rad = draws.normal() * config_.noise_rad;
-  const double pitch_noise_rad = draws.normal() * config_.noise_rad;
-  values[0] = read(attitude.roll_rad + config_.roll_bias_rad + roll_noise_rad);
-  values[1] = read(attitude.pitch_rad + config_.pitch_bias_rad + pitch_noise_rad);
+  const double roll_noise_rad = draws.normal() * config_.noise.rad();
+  const double pitch_noise_rad = draws.normal() * config_.noise.rad();
+  values[0] = read(attitude.roll_rad + config_.roll_bias.rad() + roll_noise_rad);
+  values[1] = read(attitude.pitch_rad + config_.pitch_bias.rad() + pitch_noise_rad);
 }
 
 extern constinit const SensorKind tilt_kind{.descriptor = {.component_class = ComponentClass::Sensor,
@@ -100,6 +124,6 @@ extern constinit const SensorKind tilt_kind{.descriptor = {.component_class = Co
                                                            .ports = kPorts,
                                                            .parameters = kParameters,
                                                            .source = "ours"},
-                                            .make = make};
+                                            .make = make_bound<Sensor, Tilt, TiltConfig>};
 
 }  // namespace ganglion::sim

@@ -6,12 +6,12 @@
 namespace ganglion::sim {
 
 struct TiltConfig {
-  double noise_rad = 0.5 * kPi / 180;  ///< Standard deviation of one reading.
-  double roll_bias_rad = 0;            ///< Added to every reading: a sensor not quite level in the body.
-  double pitch_bias_rad = 0;
+  Angle noise = Angle::from_deg(0.5);  ///< Standard deviation of one reading.
+  Angle roll_bias;                     ///< Added to every reading: a sensor not quite level in the body.
+  Angle pitch_bias;
   double lag_s = 0;                 ///< Time constant of the pendulum or of the filter.
-  double max_rad = 60 * kPi / 180;  ///< Readings end there.
-  double resolution_rad = 0;        ///< Readings are multiples of it; 0 = as they are.
+  Angle max = Angle::from_deg(60);  ///< Readings end there.
+  Angle resolution;                 ///< Readings are multiples of it; 0 = as they are.
 };
 
 /// How the floor tilts the body. Channels `roll`, `pitch` [rad] of the sensor (REP-103: roll about x, positive with the
@@ -20,7 +20,7 @@ struct TiltConfig {
 class Tilt final : public Sensor {
  public:
   explicit Tilt(const TiltConfig& config) noexcept : config_(config), lag_(config.lag_s) {}
-  Limits limits(std::size_t) const noexcept override { return {-config_.max_rad, config_.max_rad}; }
+  Limits limits(std::size_t) const noexcept override { return {-config_.max.rad(), config_.max.rad()}; }
   Result<void> reset(const Scene& scene, Draws draws) override;
   bool follows() const noexcept override { return config_.lag_s > 0; }
   void follow(const Scene& scene, double step_s) noexcept override;

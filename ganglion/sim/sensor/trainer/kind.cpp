@@ -6,74 +6,77 @@
 namespace ganglion::sim {
 namespace {
 
-constexpr std::size_t kMaxGoals = 10000;
+constexpr std::array kTurns_deg = {45.0, 90.0, 180.0};
 
 constexpr std::array<ElementDescriptor, 2> kCell = {"column", "row"};
 constexpr std::array kPorts = {
     PortDescriptor{.name = "goal",
+                   .title = {"goal", "objetivo"},
+                   .help = {"The cell wanted", "La celda deseada"},
                    .role = PortRole::Output,
                    .type = ValueType::Discrete,
                    .size = 2,
-                   .elements = kCell,
-                   .help = {"The cell wanted", "La celda deseada"}},
+                   .elements = kCell},
     PortDescriptor{.name = "direction",
+                   .title = {"goal bearing", "dirección del objetivo"},
+                   .help = {"Bearing of the goal from the robot, in the world",
+                            "Dirección del objetivo desde el robot, en el mundo"},
                    .role = PortRole::Output,
                    .unit = "rad",
-                   .type = ValueType::Circular,
-                   .help = {"Bearing of the goal from the robot, in the world",
-                            "Dirección del objetivo desde el robot, en el mundo"}},
+                   .type = ValueType::Circular},
 };
 constexpr std::array kParameters = {
-    ParameterDescriptor{.name = "cell_m",
-                        .unit = "m",
-                        .preset = 0.5,
-                        .min = 1e-3,
-                        .max = 1000,
-                        .help = {"Side of a cell", "Lado de una celda"}},
-    ParameterDescriptor{.name = "goals",
-                        .type = ParameterType::Integer,
-                        .preset = 20,
-                        .min = 1,
-                        .max = static_cast<double>(kMaxGoals),
-                        .help = {"How many goals to draw, where `cells` gives none",
-                                 "Cuántos objetivos sortear, si `cells` no da ninguno"},
-                        .ours = true},
-    ParameterDescriptor{.name = "sealed_share",
-                        .preset = 0,
-                        .min = 0,
-                        .max = 1,
-                        .help = {"Share of the drawn goals that are free but out of reach",
-                                 "Parte de los objetivos sorteados libres pero inalcanzables"},
-                        .ours = true},
-    ParameterDescriptor{
-        .name = "patience_s",
-        .unit = "s",
-        .preset = 0,
-        .min = 0,
-        .max = 1e6,
-        .help = {"A goal is given up after that; 0 = never", "Un objetivo se abandona tras ese tiempo; 0 = nunca"},
-        .ours = true},
-    ParameterDescriptor{
-        .name = "max_turn_deg",
-        .type = ParameterType::Integer,
-        .unit = "deg",
-        .preset = 180,
-        .min = 45,
-        .max = 180,
-        .help = {"How far the robot turns in one step (45, 90 or 180), for the shortest way it is measured against",
-                 "Cuánto gira el robot en un paso (45, 90 o 180), para el camino más corto con que se compara"},
-        .ours = true},
-    ParameterDescriptor{
-        .name = "cells",
-        .type = ParameterType::Reals,
-        .min = -1e9,
-        .max = 1e9,
-        .help = {"Goals in order: column, row, column, row...", "Objetivos en orden: columna, fila, columna, fila..."},
-        .ours = true},
+    parameter<TrainerConfig, &TrainerConfig::cell_m>({.name = "cell_m",
+                                                      .title = {"cell size", "tamaño de celda"},
+                                                      .help = {"Side of a cell", "Lado de una celda"},
+                                                      .unit = "m",
+                                                      .min = 1e-3,
+                                                      .max = 1000}),
+    parameter<TrainerConfig, &TrainerConfig::goals>({.name = "goals",
+                                                     .title = {"number of goals", "número de objetivos"},
+                                                     .help = {"How many goals to draw, where `cells` gives none",
+                                                              "Cuántos objetivos sortear, si `cells` no da ninguno"},
+                                                     .min = 1,
+                                                     .max = static_cast<double>(Trainer::kMaxGoals),
+                                                     .ours = true}),
+    parameter<TrainerConfig, &TrainerConfig::sealed_share>(
+        {.name = "sealed_share",
+         .title = {"unreachable share", "parte inalcanzable"},
+         .help = {"Share of the drawn goals that are free but out of reach",
+                  "Parte de los objetivos sorteados libres pero inalcanzables"},
+         .min = 0,
+         .max = 1,
+         .ours = true}),
+    parameter<TrainerConfig, &TrainerConfig::patience_s>(
+        {.name = "patience_s",
+         .title = {"patience", "paciencia"},
+         .help = {"A goal is given up after that; 0 = never", "Un objetivo se abandona tras ese tiempo; 0 = nunca"},
+         .unit = "s",
+         .min = 0,
+         .max = 1e6,
+         .ours = true,
+         .live = true}),
+    parameter<TrainerConfig, &TrainerConfig::max_turn_deg>(
+        {.name = "max_turn_deg",
+         .title = {"maximum turn", "giro máximo"},
+         .help = {"How far the robot turns in one step (45, 90 or 180), for the shortest way it is measured against",
+                  "Cuánto gira el robot en un paso (45, 90 o 180), para el camino más corto con que se compara"},
+         .unit = "deg",
+         .allowed = kTurns_deg,
+         .ours = true}),
+    parameter<TrainerConfig, &TrainerConfig::cell_numbers>(
+        {.name = "cells",
+         .title = {"goal cells", "celdas objetivo"},
+         .help = {"Goals in order: column, row, column, row...", "Objetivos en orden: columna, fila, columna, fila..."},
+         .min = -1e9,
+         .max = 1e9,
+         .ours = true}),
 };
 
-Result<std::vector<CellGrid::Cell>> cells_of(std::span<const double> numbers) {
-  std::vector<CellGrid::Cell> cells;
+}  // namespace
+
+Result<void> Trainer::judge(TrainerConfig& config) {
+  const std::vector<double>& numbers = config.cell_numbers;
   if (numbers.size() % 2 != 0) {
     return fail(ErrorCode::BadParameter,
                 {"cells has {} numbers, must be pairs of column and row",
@@ -85,34 +88,17 @@ Result<std::vector<CellGrid::Cell>> cells_of(std::span<const double> numbers) {
                 {"cells has {} goals; the limit is {}", "cells tiene {} objetivos; el límite es {}"},
                 numbers.size() / 2, kMaxGoals);
   }
+  config.cells.clear();
   for (std::size_t n = 0; n < numbers.size(); n += 2) {
     if (std::floor(numbers[n]) != numbers[n] || std::floor(numbers[n + 1]) != numbers[n + 1]) {
       return fail(ErrorCode::BadParameter,
                   {"cells has ({}, {}), must be whole numbers", "cells tiene ({}, {}), deben ser números enteros"},
                   numbers[n], numbers[n + 1]);
     }
-    cells.push_back({static_cast<std::int32_t>(numbers[n]), static_cast<std::int32_t>(numbers[n + 1])});
+    config.cells.push_back({static_cast<std::int32_t>(numbers[n]), static_cast<std::int32_t>(numbers[n + 1])});
   }
-  return cells;
+  return {};
 }
-
-Result<std::unique_ptr<Sensor>> make(const Parameters& parameters) {
-  const int turn_deg = parameters.integer("max_turn_deg");
-  if (turn_deg != 45 && turn_deg != 90 && turn_deg != 180) {
-    return fail(ErrorCode::BadParameter,
-                {"max_turn_deg is {}, must be 45, 90 or 180", "max_turn_deg es {}, debe ser 45, 90 o 180"}, turn_deg);
-  }
-  auto cells = cells_of(parameters.reals("cells"));
-  if (!cells) return tl::unexpected<Error>(cells.error());
-  return std::make_unique<Trainer>(TrainerConfig{.cell_m = parameters.real("cell_m"),
-                                                 .goals = parameters.integer("goals"),
-                                                 .sealed_share = parameters.real("sealed_share"),
-                                                 .patience_s = parameters.real("patience_s"),
-                                                 .max_turn_deg = turn_deg,
-                                                 .cells = std::move(*cells)});
-}
-
-}  // namespace
 
 extern constinit const SensorKind trainer_kind{
     .descriptor = {.component_class = ComponentClass::Sensor,
@@ -122,6 +108,6 @@ extern constinit const SensorKind trainer_kind{
                    .ports = kPorts,
                    .parameters = kParameters,
                    .source = "A growing functional modules locomotion subsystem, section 5; drawing and log ours"},
-    .make = make};
+    .make = make_bound<Sensor, Trainer, TrainerConfig>};
 
 }  // namespace ganglion::sim

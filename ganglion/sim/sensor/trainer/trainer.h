@@ -16,6 +16,7 @@ struct TrainerConfig {
   double sealed_share = 0;  ///< Share of the drawn goals that are free but out of reach, to see them withdrawn.
   double patience_s = 0;    ///< A goal is given up after that; 0 = never.
   int max_turn_deg = 180;   ///< Largest turn in one step, 45, 90 or 180, for steered_shortest_m; 180 = on the spot.
+  std::vector<double> cell_numbers;   ///< `cells` as files have them: column, row, column, row...
   std::vector<CellGrid::Cell> cells;  ///< Goals in order, instead of drawn ones.
 };
 
@@ -32,6 +33,9 @@ struct TrainerConfig {
 class Trainer final : public Sensor, public TrainerLog {
  public:
   explicit Trainer(TrainerConfig config) : config_(std::move(config)) {}
+  /// Makes `cells` of cell_numbers. Fails with BadParameter unless those are pairs of whole numbers, with TooLarge where
+  /// there are more than kMaxGoals pairs.
+  static Result<void> judge(TrainerConfig& config);
 
   Limits limits(std::size_t channel) const noexcept override;
   /// Fails with BadParameter where there are no cells to draw from, with TooLarge where the grid has too many.
@@ -49,6 +53,7 @@ class Trainer final : public Sensor, public TrainerLog {
   std::span<const GoalRecord> records() const noexcept override { return records_; }
   bool done() const noexcept override;
 
+  static constexpr std::size_t kMaxGoals = 10000;  ///< Its own, drawn or stated.
   static constexpr std::size_t kMaxGoalsSet = 1000;
 
  private:
