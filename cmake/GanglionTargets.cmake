@@ -5,7 +5,7 @@ set(GANGLION_LAYERS
   "base" "math" "units" "geometry" "random"
   "descriptor" "config" "application"
   "module" "fuzzy" "grid"
-  "goal|sensing|acting|coordination|sim|plant"
+  "goal|sensing|acting|coordination|sim|plant|measure"
   "graph" "kinds" "link" "record" "experience" "run" "plot" "report" "lab" "firmware" "studio")
 
 function(ganglion_layer_rank folder result)

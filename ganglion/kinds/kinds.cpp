@@ -8,6 +8,8 @@ KindList controller_kinds() noexcept { return {k_sensing, k_goal, k_acting, k_co
 
 sim::SimKinds sim_kinds() noexcept { return {k_sim_drive, k_sim_sensor}; }
 
+std::span<const MeasureKind* const> measure_kinds() noexcept { return k_measure; }
+
 std::vector<const Descriptor*> all_descriptors() {
   std::vector<const Descriptor*> all;
   auto append = [&](const auto& kinds) {
@@ -19,6 +21,7 @@ std::vector<const Descriptor*> all_descriptors() {
   append(k_coordination);
   append(k_sim_drive);
   append(k_sim_sensor);
+  append(k_measure);
   return all;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ganglion/graph/kind_list.h"
+#include "ganglion/measure/measure.h"
 #include "ganglion/sim/robot/robot_model.h"
 
 namespace ganglion {
@@ -10,6 +11,9 @@ KindList controller_kinds() noexcept;
 
 /// Every kind a simulated robot may use.
 sim::SimKinds sim_kinds() noexcept;
+
+/// Every kind of measure.
+std::span<const MeasureKind* const> measure_kinds() noexcept;
 
 /// The descriptors of all of them, by class, in order of their folders' names.
 std::vector<const Descriptor*> all_descriptors();

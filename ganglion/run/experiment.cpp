@@ -78,8 +78,12 @@ LinkChoice read_link(Table& application) {
 
 std::vector<Criterion> read_criteria(Table& table, std::string_view key) {
   std::vector<Criterion> criteria;
-  for (const std::string& text : table.texts(key)) {
-    if (auto criterion = parse_criterion(text)) {
+  const std::vector<std::string> texts = table.texts(key);
+  const config::Value* value = table.value(key);
+  const config::Array* list = value != nullptr ? value->array() : nullptr;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    if (auto criterion = parse_criterion(texts[i])) {
+      criterion->place = list != nullptr && i < list->size() ? (*list)[i].place() : table.place(key);
       criteria.push_back(std::move(*criterion));
     } else {
       table.problem(key, criterion.error());

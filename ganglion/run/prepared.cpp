@@ -2,9 +2,13 @@
 
 #include "ganglion/application/fault/faulty_application.h"
 #include "ganglion/base/file.h"
+#include "ganglion/base/text.h"
 #include "ganglion/graph/digest.h"
 #include "ganglion/graph/order.h"
 #include "ganglion/kinds/kinds.h"
+#include "ganglion/run/measure_list.h"
+#include "ganglion/sim/robot/truth_channels.h"
+#include "ganglion/sim/world/ground_terrain.h"
 
 namespace ganglion {
 namespace {
@@ -62,7 +66,56 @@ void check_faults(const Experiment& experiment, const RobotDescription& robot, d
     problems.add(plans.error());
 }
 
+/// The controller, made once on trial: nothing that it would refuse is found only when a run begins.
+void try_controller(Prepared& prepared, Problems& problems) {
+  const Identity identity{prepared.experiment.seed, 0, 0};
+  const auto made = Controller::compile(prepared.controller, prepared.robot->description, controller_kinds(), identity);
+  if (!made) {
+    problems.add(made.error());
+  } else {
+    prepared.signals = measured_signals(*made);
+  }
+}
+
+void check_figure(const std::string& name, const Criterion& criterion, bool stops, const std::vector<Figure>& figures,
+                  Problems& problems) {
+  std::vector<std::string> names;
+  for (const Figure& figure : figures) {
+    const bool fits = stops ? figure.running : figure.listed;
+    if (fits && figure.name == name) return;
+    if (fits) names.push_back(figure.name);
+  }
+  Error error{
+      ErrorCode::UnknownKey,
+      say({"\"{}\": this experiment has no measure \"{}\"{}", "\"{}\": este experimento no tiene la medida \"{}\"{}"},
+          criterion.text(), name, suggestion(name, names)),
+      criterion.place,
+      {.part = stops ? "run.stop" : "success", .found = name, .choices = names}};
+  problems.add(std::move(error));
+}
+
+/// Criteria speak of figures that there are.
+void check_criteria(const Prepared& prepared, Problems& problems) {
+  const auto check = [&](const std::vector<Criterion>& criteria, bool stops) {
+    for (const Criterion& criterion : criteria) {
+      check_figure(criterion.name, criterion, stops, prepared.figures, problems);
+      if (!criterion.times.empty()) check_figure(criterion.times, criterion, stops, prepared.figures, problems);
+    }
+  };
+  check(prepared.experiment.stop, true);
+  check(prepared.experiment.success, false);
+}
+
 }  // namespace
+
+MeasureScope Prepared::scope() const {
+  MeasureScope scope{.signals = signals, .terrain = terrain.get()};
+  if (robot == nullptr || !robot->simulated()) return scope;
+  scope.truth = sim::truth_channels();
+  scope.radius_m = robot->radius_m;
+  if (robot->trained) scope.goals = sim::TrainerLedger::columns_of_goals();
+  return scope;
+}
 
 sim::SimulationConfig Prepared::simulation(std::shared_ptr<const sim::Ground> on,
                                            const std::vector<Pose2>& starts) const {
@@ -121,6 +174,11 @@ std::optional<Prepared> prepare(const std::filesystem::path& path, const std::ve
   }
   if (!problems.empty() || !model || prepared.ground == nullptr) return std::nullopt;
   prepared.controller = std::move(*model);
+  prepared.terrain = std::make_shared<const sim::GroundTerrain>(prepared.ground);
+  try_controller(prepared, problems);
+  prepared.figures = figures_in(prepared.scope());
+  check_criteria(prepared, problems);
+  if (!problems.empty()) return std::nullopt;
   prepared.controller_hash = hash_of(experiment.files.controller, experiment.controller_overrides);
   return prepared;
 }

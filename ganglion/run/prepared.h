@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "ganglion/graph/model.h"
+#include "ganglion/measure/measure.h"
 #include "ganglion/run/experiment.h"
 #include "ganglion/sim/robot/robot_model.h"
 #include "ganglion/sim/simulation/simulation.h"
@@ -18,7 +19,12 @@ struct Prepared {
   std::shared_ptr<const sim::Ground> ground;
   std::shared_ptr<const sim::Ground> open_ground;  ///< For the yardstick of progress, where asked for.
   double step_s = 0.1;
-  std::string controller_hash;  ///< Of the controller's text and what --set changed in it.
+  std::shared_ptr<const Terrain> terrain;
+  std::vector<MeasuredSignal> signals;  ///< Of the controller.
+  std::vector<Figure> figures;          ///< What the run will be measured by.
+  std::string controller_hash;          ///< Of the controller's text and what --set changed in it.
+  /// What can be measured.
+  MeasureScope scope() const;
   /// On that ground, started as the experiment says, or at the given poses where there are any.
   sim::SimulationConfig simulation(std::shared_ptr<const sim::Ground> on, const std::vector<Pose2>& starts) const;
 };

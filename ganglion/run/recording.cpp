@@ -5,6 +5,7 @@
 
 #include "ganglion/base/file.h"
 #include "ganglion/run/version.h"
+#include "ganglion/sim/robot/truth_channels.h"
 
 namespace ganglion {
 namespace {
@@ -88,7 +89,8 @@ Result<Recording> Recording::start(const Prepared& prepared, const RunOptions& o
                                    const std::vector<std::unique_ptr<Controller>>& controllers) {
   Recording recording;
   const auto writer_to = [&](RunSink& sink, const Experiment& experiment) {
-    auto writer = std::make_unique<RunWriter>(sink, experiment, prepared.controller, robots, controllers);
+    auto writer =
+        std::make_unique<RunWriter>(sink, experiment, prepared.controller, sim::truth_channels(), robots, controllers);
     sim::World world(prepared.ground);
     world.reset(options.seed, options.episode);
     writer->write_scene(world, *prepared.robot, prepared.controller);

@@ -8,8 +8,8 @@
 
 #include "ganglion/application/fault/faulty_application.h"
 #include "ganglion/kinds/kinds.h"
+#include "ganglion/run/measure_list.h"
 #include "ganglion/run/recording.h"
-#include "ganglion/run/robot_measures.h"
 #include "ganglion/run/run_robots.h"
 
 namespace ganglion {
@@ -59,6 +59,12 @@ class Course {
     for (std::size_t i = 0; i < controllers_.size(); ++i) {
       if (witness() != nullptr) truth_digests_.push_back(truth_.join(static_cast<std::uint32_t>(i), "@truth"));
     }
+    if (witness() == nullptr) return;
+    const auto channels = witness()->truth_channels();
+    for (std::size_t n = 0; n < channels.size(); ++n) {
+      if (channels[n].digested) digested_.push_back(n);
+    }
+    digested_truth_.resize(digested_.size());
   }
 
   /// A frame to every controller, a frame back.
@@ -69,10 +75,9 @@ class Course {
       controllers_[i]->tick(sense_[i], step_s_, act_[i]);
       make_canonical(act_[i]);
       if (witness() == nullptr) continue;
-      const sim::Truth& truth = witness()->truth(static_cast<int>(i));
-      const std::array<double, 4> bits = {truth.pose.position.x, truth.pose.position.y, truth.pose.yaw.rad(),
-                                          truth.energy_J};
-      truth_.add(truth_digests_[i], sense_[i].tick, bits);
+      const auto truth = witness()->truth_of(static_cast<int>(i));
+      for (std::size_t n = 0; n < digested_.size(); ++n) digested_truth_[n] = truth[digested_[n]];
+      truth_.add(truth_digests_[i], sense_[i].tick, digested_truth_);
     }
   }
   /// The commands are carried out; controllers may grow meanwhile.
@@ -84,9 +89,18 @@ class Course {
   std::uint32_t tick() const noexcept { return sense_.front().tick; }
   double time_s() const noexcept { return sense_.front().time_s; }
   const RunRobots& robots() const noexcept { return robots_; }
-  const sim::Witness* witness() const noexcept { return robots_.witness(); }
-  /// Of the first robot's trainer; null where there is none.
-  const sim::TrainerLog* trainer() const noexcept { return witness() != nullptr ? witness()->trainer_log(0) : nullptr; }
+  /// Null where nobody knows the truth.
+  const Witness* witness() const noexcept { return robots_.witness(); }
+  /// What robot 0's trainer keeps of its goals; null where there is none.
+  const Ledger* goals() const noexcept { return witness() != nullptr ? witness()->goals_of(0) : nullptr; }
+  /// The present instant as measures of robot 0 see it.
+  Moment moment(double time_s) const noexcept {
+    return {.time_s = time_s,
+            .step_s = step_s_,
+            .truth = witness() != nullptr ? witness()->truth_of(0) : std::span<const double>(),
+            .signals = controllers_.front()->values(),
+            .goals = goals()};
+  }
   const Controllers& controllers() const noexcept { return controllers_; }
   std::string digest(const Interference& interference) const {
     std::uint64_t sum = truth_.total();
@@ -117,6 +131,8 @@ class Course {
   std::vector<ActFrame> act_;
   Digest truth_;
   std::vector<std::size_t> truth_digests_;
+  std::vector<std::size_t> digested_;   // channels of the truth
+  std::vector<double> digested_truth_;  // of one robot
 };
 
 Result<Course> make_course(const Prepared& prepared, const RunOptions& options, Result<RunRobots> robots) {
@@ -135,79 +151,58 @@ std::uint32_t ticks_of(const Prepared& prepared) {
   return static_cast<std::uint32_t>(std::max(1.0, std::round(prepared.experiment.duration_s / prepared.step_s)));
 }
 
-/// Progress along the course that the same robots, faults included, make from the same poses where nothing stands in
-/// their way.
-Result<std::vector<FreeGround>> drive_free_ground(const Prepared& prepared, const RunOptions& options,
-                                                  const std::vector<Pose2>& starts) {
+/// The truth of robot 0 where the same robots, faults included, start from the same poses and nothing stands in their
+/// way.
+Result<Unhindered> drive_free_ground(const Prepared& prepared, const RunOptions& options,
+                                     const std::vector<Pose2>& starts) {
   auto course = make_course(prepared, options, RunRobots::simulate(prepared, prepared.open_ground, starts));
   if (!course) return tl::unexpected<Error>(course.error());
-  std::vector<FreeGround> progress(starts.size());
+  Unhindered free{.channels = course->witness()->truth_channels().size()};
   const std::uint32_t ticks = ticks_of(prepared);
   for (std::uint32_t tick = 0; tick < ticks; ++tick) {
     course->decide();
     course->act();
-    for (std::size_t i = 0; i < starts.size(); ++i) {
-      const Vector2 way = course->witness()->truth(static_cast<int>(i)).pose.position - starts[i].position;
-      const double along_m = way.dot(direction(starts[i].yaw.rad()));
-      progress[i].push_back(std::max(along_m, tick > 0 ? progress[i].back() : 0));
-    }
+    const auto truth = course->witness()->truth_of(0);
+    free.values.insert(free.values.end(), truth.begin(), truth.end());
     if (options.stop && options.stop()) break;  // the run itself will see it too
   }
-  return progress;
+  return free;
 }
 
 /// The same from where these robots start; nothing where there is no such ground, or nobody knows where they are.
-Result<std::vector<FreeGround>> free_ground_of(const Prepared& prepared, const RunOptions& options,
-                                               const Course& course) {
-  if (prepared.open_ground == nullptr || !prepared.robot->simulated() || course.witness() == nullptr) {
-    return std::vector<FreeGround>{};
+Result<std::optional<Unhindered>> free_ground_of(const Prepared& prepared, const RunOptions& options,
+                                                 const Course& course) {
+  const sim::Witness* witness = course.robots().witness();
+  if (prepared.open_ground == nullptr || !prepared.robot->simulated() || witness == nullptr) {
+    return std::optional<Unhindered>();
   }
   std::vector<Pose2> starts;
-  for (int i = 0; i < prepared.experiment.robots; ++i) starts.push_back(course.witness()->truth(i).pose);
-  return drive_free_ground(prepared, options, starts);
+  for (int i = 0; i < prepared.experiment.robots; ++i) starts.push_back(witness->truth(i).pose);
+  auto driven = drive_free_ground(prepared, options, starts);
+  if (!driven) return tl::unexpected<Error>(driven.error());
+  return std::optional<Unhindered>(std::move(*driven));
 }
 
-/// What is measured of all robots.
-class Judge {
+/// The stop rules of an experiment, looked at after every step.
+class StopRules {
  public:
-  Judge(const Prepared& prepared, const Course& course, std::vector<FreeGround> free_ground)
-      : prepared_(prepared), free_ground_(std::move(free_ground)) {
-    for (std::size_t i = 0; i < course.controllers().size(); ++i) {
-      robots_.emplace_back(*prepared.ground, truth_of(course, i), prepared.robot->radius_m, *course.controllers()[i],
-                           free_ground_.empty() ? nullptr : &free_ground_[i]);
+  explicit StopRules(const std::vector<Criterion>& rules) : rules_(&rules) {
+    for (const Criterion& rule : rules) {
+      figures_.push_back(rule.name);
+      if (!rule.times.empty()) figures_.push_back(rule.times);
     }
   }
-  void update(const Course& course, double time_s) {
-    for (std::size_t i = 0; i < robots_.size(); ++i) {
-      robots_[i].update(time_s, prepared_.step_s, truth_of(course, i), course.controllers()[i]->values());
-    }
-  }
-  Measures measures(const Course& course) const {
-    Measures measures;
-    robots_.front().report(measures);
-    if (const sim::TrainerLog* trainer = course.trainer()) report_goals(trainer->records(), measures);
-    return measures;
-  }
-  /// The stop rule that is met, or "".
-  std::string stopped(const Course& course) const {
-    const sim::TrainerLog* trainer = course.trainer();
-    const Measures cheap = {{"at_far_wall", robots_.front().at_far_wall() ? 1 : 0},
-                            {"goals_done", trainer != nullptr && trainer->done() ? 1 : 0},
-                            {"progress_m", robots_.front().progress_m()}};
-    for (const Criterion& criterion : prepared_.experiment.stop) {
-      if (criterion.met(cheap)) return criterion.text();
-    }
-    return "";
+  /// The first that is met, or null.
+  const Criterion* met(const MeasureList& measured) const {
+    if (rules_->empty()) return nullptr;
+    const Measures now = measured.of(figures_);
+    const auto found = std::ranges::find_if(*rules_, [&now](const Criterion& rule) { return rule.met(now); });
+    return found != rules_->end() ? &*found : nullptr;
   }
 
  private:
-  static const sim::Truth* truth_of(const Course& course, std::size_t robot) {
-    return course.witness() != nullptr ? &course.witness()->truth(static_cast<int>(robot)) : nullptr;
-  }
-
-  const Prepared& prepared_;
-  std::vector<FreeGround> free_ground_;
-  std::vector<RobotMeasures> robots_;
+  const std::vector<Criterion>* rules_;
+  std::vector<std::string> figures_;
 };
 
 void judge(const Experiment& experiment, RunResult& result) {
@@ -225,12 +220,14 @@ void judge(const Experiment& experiment, RunResult& result) {
   }
 }
 
-Contacts contacts_of(const Course& course, int robots) {
-  Contacts contacts{.known = course.witness() != nullptr};
-  for (int i = 0; i < robots && contacts.known; ++i) {
-    const sim::Truth& truth = course.witness()->truth(i);
-    contacts.count += truth.contacts;
-    contacts.fastest_mps = std::max(contacts.fastest_mps, truth.fastest_contact_mps);
+Contacts contacts_of(const Course& course, const Prepared& prepared) {
+  const auto count = prepared.scope().truth_index("contacts"),
+             fastest = prepared.scope().truth_index("fastest_contact_mps");
+  Contacts contacts{.known = course.witness() != nullptr && count && fastest};
+  for (int i = 0; i < prepared.experiment.robots && contacts.known; ++i) {
+    const auto truth = course.witness()->truth_of(i);
+    contacts.count += static_cast<int>(truth[*count]);
+    contacts.fastest_mps = std::max(contacts.fastest_mps, truth[*fastest]);
   }
   return contacts;
 }
@@ -241,12 +238,18 @@ void tell_digests(const Course& course, const Interference& interference, RunRes
   result.interventions = interference.count();
 }
 
+/// Requests that were concluded so far: then something may have been learned.
 std::size_t concluded_goals(const Course& course) {
-  const sim::TrainerLog* trainer = course.trainer();
-  if (trainer == nullptr) return 0;
-  const auto goals = trainer->records();
-  return static_cast<std::size_t>(std::count_if(
-      goals.begin(), goals.end(), [](const sim::GoalRecord& goal) { return goal.outcome != sim::GoalOutcome::Open; }));
+  const Ledger* goals = course.goals();
+  if (goals == nullptr) return 0;
+  const auto columns = goals->columns();
+  const auto outcome =
+      std::find_if(columns.begin(), columns.end(), [](const auto& one) { return one.name == "outcome"; });
+  std::size_t concluded = 0;
+  for (std::size_t row = 0; row < goals->rows() && outcome != columns.end(); ++row) {
+    concluded += goals->at(row, static_cast<std::size_t>(outcome - columns.begin())) != 0 ? 1 : 0;
+  }
+  return concluded;
 }
 
 }  // namespace
@@ -256,7 +259,8 @@ Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
   if (!course) return tl::unexpected<Error>(course.error());
   auto free_ground = free_ground_of(prepared, options, *course);
   if (!free_ground) return tl::unexpected<Error>(free_ground.error());
-  Judge measured(prepared, *course, std::move(*free_ground));
+  MeasureList measured(prepared.scope());
+  measured.begin(course->moment(0), *free_ground ? &**free_ground : nullptr);
   auto recording = Recording::start(prepared, options, course->robots(), course->controllers());
   if (!recording) return tl::unexpected<Error>(recording.error());
   Interference interference(course->robots().simulation(), options.interventions, [&](const TimedIntervention& one) {
@@ -273,6 +277,7 @@ Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
   const Pace pace(options.pace);
   const std::uint32_t ticks = begins ? ticks_of(prepared) : 0;
   std::size_t goals = 0;
+  const StopRules stop(prepared.experiment.stop);
   for (std::uint32_t tick = 0; tick < ticks; ++tick) {
     course->decide();
     recording->write(course->tick(), course->time_s());
@@ -283,13 +288,13 @@ Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
       break;
     }
     const double time_s = (tick + 1) * prepared.step_s;
-    measured.update(*course, time_s);
+    measured.update(course->moment(time_s));
     if (const std::size_t now = concluded_goals(*course); options.learned && now != goals) {
       goals = now;
       options.learned(course->controllers().front()->experience());
     }
-    if (const std::string stop = measured.stopped(*course); !stop.empty()) {
-      result.reason = say({"stopped: {}", "parada: {}"}, stop);
+    if (const Criterion* rule = stop.met(measured)) {
+      result.reason = say({"stopped: {}", "parada: {}"}, rule->text());
       break;
     }
     if (auto done = interference.before(tick + 1); !done) return tl::unexpected<Error>(done.error());
@@ -300,8 +305,8 @@ Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
     }
     if (!course->robots().free_running()) pace.wait_until(time_s);
   }
-  result.measures = measured.measures(*course);
-  result.contacts = contacts_of(*course, prepared.experiment.robots);
+  result.measures = measured.listed();
+  result.contacts = contacts_of(*course, prepared);
   tell_digests(*course, interference, result);
   result.experience = course->controllers().front()->experience();
   judge(prepared.experiment, result);

@@ -16,7 +16,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kInfo = 2, kWarning = 3;  // levels of foxglove.Log
-constexpr int kTruthColumns = 5;
 
 /// What is recorded of a link; never part of a digest.
 const std::array<SignalColumn, 6> kLinkColumns = {{{"link.round_trip_s", "s"},
@@ -26,12 +25,9 @@ const std::array<SignalColumn, 6> kLinkColumns = {{{"link.round_trip_s", "s"},
                                                    {"link.lost", ""},
                                                    {"link.late", ""}}};
 
-std::vector<SignalColumn> columns_of(const Controller& controller) {
-  std::vector<SignalColumn> columns = {{"truth.x_m", "m"},
-                                       {"truth.y_m", "m"},
-                                       {"truth.yaw_rad", "rad"},
-                                       {"truth.touching", ""},
-                                       {"truth.energy_J", "J"}};
+std::vector<SignalColumn> columns_of(const Controller& controller, std::span<const TruthChannel> truth) {
+  std::vector<SignalColumn> columns;
+  for (const TruthChannel& channel : truth) columns.push_back({"truth." + channel.name, channel.unit});
   for (const Signal& signal : controller.signals()) columns.push_back({signal.name, signal.unit});
   return columns;
 }
@@ -142,16 +138,18 @@ std::optional<double> goal_cell_of(const sim::RobotModel& robot) {
 }  // namespace
 
 RunWriter::RunWriter(RunSink& recorder, const Experiment& experiment, const ControllerModel& model,
-                     const RunRobots& robots, const std::vector<std::unique_ptr<Controller>>& controllers)
+                     std::span<const TruthChannel> truth, const RunRobots& robots,
+                     const std::vector<std::unique_ptr<Controller>>& controllers)
     : recorder_(recorder),
       witness_(robots.witness()),
+      truth_(truth),
       remote_(robots.remote()),
       controllers_(controllers),
       maps_every_s_(experiment.maps_every_s),
       cell_m_(cell_of(model)) {
   for (std::size_t i = 0; i < controllers.size(); ++i) {
     Robot one;
-    const auto columns = columns_of(*controllers[i]);
+    const auto columns = columns_of(*controllers[i], truth_);
     one.table = recorder.add_table(fmt::format("/robot{}/signals", i), columns);
     one.row.resize(columns.size());
     one.statuses.assign(static_cast<std::size_t>(controllers[i]->components()), 0);
@@ -187,7 +185,7 @@ void RunWriter::write(std::uint32_t tick, double time_s) {
     Robot& robot = robots_[i];
     write_truth(i);
     const auto values = controllers_[i]->values();
-    std::copy(values.begin(), values.end(), robot.row.begin() + kTruthColumns);
+    std::copy(values.begin(), values.end(), robot.row.begin() + static_cast<std::ptrdiff_t>(truth_.size()));
     recorder_.write_row(robot.table, tick, time_s, robot.row);
     write_requests(static_cast<int>(i), time_s);
     write_goals(static_cast<int>(i), time_s);
@@ -208,15 +206,10 @@ void RunWriter::write_intervention(const TimedIntervention& one, double time_s) 
 void RunWriter::write_truth(std::size_t robot) {
   std::vector<double>& row = robots_[robot].row;
   if (witness_ == nullptr) {
-    std::fill_n(row.begin(), kTruthColumns, std::numeric_limits<double>::quiet_NaN());
+    std::fill_n(row.begin(), truth_.size(), std::numeric_limits<double>::quiet_NaN());
     return;
   }
-  const sim::Truth& truth = witness_->truth(static_cast<int>(robot));
-  row[0] = truth.pose.position.x;
-  row[1] = truth.pose.position.y;
-  row[2] = truth.pose.yaw.rad();
-  row[3] = truth.touched ? 1 : 0;
-  row[4] = truth.energy_J;
+  std::ranges::copy(witness_->truth_of(static_cast<int>(robot)), row.begin());
 }
 
 void RunWriter::write_link(std::uint32_t tick, double time_s) {

@@ -17,7 +17,9 @@ namespace ganglion {
 /// change, goals and withdrawals as they happen (docs/manual/run_file.md lists the topics).
 class RunWriter {
  public:
-  RunWriter(RunSink& recorder, const Experiment& experiment, const ControllerModel& model, const RunRobots& robots,
+  /// `truth`: the channels that rows begin with, whether anybody knows them or not.
+  RunWriter(RunSink& recorder, const Experiment& experiment, const ControllerModel& model,
+            std::span<const TruthChannel> truth, const RunRobots& robots,
             const std::vector<std::unique_ptr<Controller>>& controllers);
   /// Once, before the first tick: the world as the run begins.
   void write_scene(const sim::World& world, const sim::RobotModel& robot, const ControllerModel& model);
@@ -44,7 +46,8 @@ class RunWriter {
   void log(double time_s, int level, const std::string& name, const Sentence& message);
 
   RunSink& recorder_;
-  const sim::Witness* witness_;      ///< Null where nobody knows the truth.
+  const sim::Witness* witness_;  ///< Null where nobody knows the truth.
+  std::span<const TruthChannel> truth_;
   link::RemoteApplication* remote_;  ///< Null where the robots are simulated here.
   int link_table_ = -1;
   const std::vector<std::unique_ptr<Controller>>& controllers_;

@@ -1,4 +1,4 @@
-#include "ganglion/run/dwell.h"
+#include "ganglion/measure/dwell/longest_stay.h"
 
 #include <gtest/gtest.h>
 
@@ -17,8 +17,8 @@ TEST(SmallestCircle, OfATriangleAndOfALine) {
   EXPECT_NEAR(smallest_circle({{0, 0}, {1, 0}, {4, 0}, {2, 0}}).radius_m, 2, 1e-12);
 }
 
-TEST(Dwell, CountsTheTimeToAndFroButNotTheWayAlong) {
-  Dwell to_and_fro(0.5, 1), along(0.5, 1);
+TEST(LongestStay, CountsTheTimeToAndFroButNotTheWayAlong) {
+  LongestStay to_and_fro(0.5, 1), along(0.5, 1);
   for (int second = 0; second <= 60; ++second) {
     to_and_fro.add(second, {second % 2 == 0 ? 0.0 : 0.9, 0});  // within a disc of radius 0.45
     along.add(second, {0.1 * second, 0});                      // leaves any such disc after 1 m
@@ -27,8 +27,8 @@ TEST(Dwell, CountsTheTimeToAndFroButNotTheWayAlong) {
   EXPECT_EQ(along.longest_s(), 10);
 }
 
-TEST(Dwell, StartsAnewAfterStandingStillOnPurpose) {
-  Dwell dwell(0.5, 1);
+TEST(LongestStay, StartsAnewAfterStandingStillOnPurpose) {
+  LongestStay dwell(0.5, 1);
   for (int second = 0; second <= 20; ++second) {
     if (second == 8) dwell.interrupt();
     dwell.add(second, {0, 0});

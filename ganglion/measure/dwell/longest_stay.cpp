@@ -1,4 +1,4 @@
-#include "ganglion/run/dwell.h"
+#include "ganglion/measure/dwell/longest_stay.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +42,7 @@ Circle smallest_circle(const std::deque<Vector2>& points) {
   return circle;
 }
 
-void Dwell::add(double time_s, Vector2 position) {
+void LongestStay::add(double time_s, Vector2 position) {
   if (time_s + 1e-9 < next_s_) return;
   next_s_ = time_s + sample_s_;
   stretch_.push_back({time_s, position});

@@ -8,10 +8,10 @@ namespace ganglion {
 
 /// Longest time that a robot stayed within some disc of a given radius: the measure of being trapped. The disc may lie
 /// anywhere: for each stretch of time it is the smallest one round all positions of that stretch.
-class Dwell {
+class LongestStay {
  public:
   /// Positions are looked at every `sample_s`.
-  Dwell(double radius_m, double sample_s) : radius_m_(radius_m), sample_s_(sample_s) {}
+  LongestStay(double radius_m, double sample_s) : radius_m_(radius_m), sample_s_(sample_s) {}
   void add(double time_s, Vector2 position);
   /// The time of standing still on purpose does not count: the stretch ends here.
   void interrupt() { stretch_.clear(); }
