@@ -3,7 +3,7 @@
 #include <array>
 
 #include "ganglion/kinds/kinds.h"
-#include "ganglion/run/prepared.h"
+#include "ganglion/run/run.h"
 
 namespace ganglion {
 namespace {
@@ -28,6 +28,17 @@ std::string kind_of(const config::Value& root) {
   return root.find("sensation") != nullptr ? "controller" : "";
 }
 
+/// All files are read, and if they are sound a run is begun on trial: what it would be refused for is told now.
+void check_experiment(const fs::path& file, Problems& problems) {
+  const auto prepared = prepare(file, {}, problems);
+  if (!prepared) return;
+  if (const auto started = try_start(*prepared); !started) {
+    Error error = started.error();
+    if (error.place.file.empty()) error.place = {file.string(), 1, 1};
+    problems.add(std::move(error));
+  }
+}
+
 void check_world(const fs::path& file, Problems& problems) {
   const auto before = problems.size();
   const auto ground = sim::Ground::load(file, problems);
@@ -50,7 +61,7 @@ std::string check_file(const fs::path& given, Problems& problems) {
   }
   const std::string kind = kind_of(*root);
   if (kind == "experiment") {
-    prepare(file, {}, problems);
+    check_experiment(file, problems);
   } else if (kind == "controller") {
     load_controller(file, {}, nullptr, problems);
   } else if (kind == "robot") {

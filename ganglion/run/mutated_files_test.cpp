@@ -8,6 +8,7 @@
 #include "ganglion/config/format.h"
 #include "ganglion/config/testing/mutator.h"
 #include "ganglion/run/check_file.h"
+#include "ganglion/run/run.h"
 
 // The files people copy are the ones in experiments/: whatever happens to one is either told with its place or
 // understood, and then the same after formatting.
@@ -67,6 +68,50 @@ TEST_F(MutatedFiles, AreRejectedWithAPlaceOrUnderstoodAndKept) {
   }
   EXPECT_GT(accepted, 250);
   EXPECT_GT(rejected, 2000);
+}
+
+/// The experiment of that folder, begun as `ganglion run` would, but for its ticks. Whether it was refused.
+bool refused(const fs::path& experiment) {
+  Problems problems;
+  const auto prepared = prepare(experiment, {}, problems);
+  if (!prepared) return true;
+  const auto result = run(*prepared, {.seed = prepared->experiment.seed, .armed = [] { return false; }});
+  return !result.has_value();
+}
+
+TEST_F(MutatedFiles, AreJudgedByCheckAsByARunThatBegins) {
+  config::Mutator mutator(11);
+  std::vector<fs::path> files;
+  for (const fs::path& file : files_) {
+    const std::string name = file.filename().string();
+    if (name == "experiment.toml" || name == "controller.toml" || name == "robot.toml") files.push_back(file);
+  }
+  ASSERT_GE(files.size(), 6u);
+  int sound = 0;
+  for (std::size_t i = 0; i < 300; ++i) {
+    const fs::path& file = files[i % files.size()];
+    const std::string good = *read_file(file), spoilt = mutator.mutated(good);
+    ASSERT_TRUE(write_file(file, spoilt));
+    const fs::path experiment = file.parent_path() / "experiment.toml";
+    Problems problems;
+    check_file(experiment, problems);
+    EXPECT_EQ(!problems.empty(), refused(experiment)) << problems.text() << spoilt;
+    sound += problems.empty() ? 1 : 0;
+    ASSERT_TRUE(write_file(file, good));
+  }
+  EXPECT_GT(sound, 20);
+  EXPECT_LT(sound, 280);
+}
+
+TEST_F(MutatedFiles, CheckFindsThatARobotHasNoPlace) {
+  const fs::path file = folder_ / "nimrod" / "experiment.toml";
+  std::string text = *read_file(file);
+  constexpr std::string_view kRoom = "clearance_m = 0.3";
+  ASSERT_NE(text.find(kRoom), std::string::npos);
+  ASSERT_TRUE(write_file(file, text.replace(text.find(kRoom), kRoom.size(), "clearance_m = 90")));
+  Problems problems;
+  check_file(file, problems);
+  EXPECT_NE(problems.text(), "") << "no room of 90 m round any place";
 }
 
 }  // namespace

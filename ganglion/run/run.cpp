@@ -254,6 +254,15 @@ std::size_t concluded_goals(const Course& course) {
 
 }  // namespace
 
+Result<void> try_start(const Prepared& prepared) {
+  if (prepared.experiment.link.remote()) return {};
+  RunOptions options;
+  options.seed = prepared.experiment.seed;
+  const auto course = make_course(prepared, options, RunRobots::make(prepared, options));
+  if (!course) return tl::unexpected<Error>(course.error());
+  return {};
+}
+
 Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
   auto course = make_course(prepared, options, RunRobots::make(prepared, options));
   if (!course) return tl::unexpected<Error>(course.error());

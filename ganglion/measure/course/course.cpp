@@ -75,25 +75,24 @@ class Course final : public Measure {
 
 std::vector<Figure> figures_of(const MeasureScope& scope) {
   if (scope.terrain == nullptr || !PlaceColumns::in(scope)) return {};
-  return {
-      {.name = "progress_m",
-       .unit = "m",
-       .title = say({"farthest way along the heading of the start", "mayor avance según el rumbo de salida"})},
-      {.name = "far_wall_m",
-       .unit = "m",
-       .title = say({"way along it up to the first structural wall", "avance posible hasta la primera pared"})},
-      {.name = "off_course_m",
-       .unit = "m",
-       .title = say({"distance from the line along which it started", "distancia a la línea de salida"})},
-      {.name = "at_far_wall",
-       .unit = "",
-       .title = say({"1 once it has come to the far wall", "1 una vez que llegó a la pared del fondo"}),
-       .listed = false},
-      {.name = "progress_ratio",
-       .unit = "",
-       .title = say({"progress against that on free ground, until the far wall",
-                     "avance frente al de un terreno libre, hasta la pared del fondo"}),
-       .sparse = true}};
+  return {{.name = "progress_m",
+           .unit = "m",
+           .title = say({"farthest way along the heading of the start", "mayor avance según el rumbo de salida"})},
+          {.name = "far_wall_m",
+           .unit = "m",
+           .title = say({"way along it up to the first structural wall", "avance posible hasta la primera pared"})},
+          {.name = "off_course_m",
+           .unit = "m",
+           .title = say({"distance from the line along which it started", "distancia a la línea de salida"})},
+          {.name = "at_far_wall",
+           .unit = "",
+           .title = say({"1 once it has come to the far wall", "1 una vez que llegó a la pared del fondo"}),
+           .listed = false},
+          {.name = "progress_ratio",
+           .unit = "",
+           .title = say({"progress against that on free ground, until the far wall",
+                         "avance frente al de un terreno libre, hasta la pared del fondo"}),
+           .sparse = true}};
 }
 
 }  // namespace

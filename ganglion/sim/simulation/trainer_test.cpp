@@ -153,7 +153,8 @@ TEST(Trainer, RefusesTurnsThatAreNoneOfItsThree) {
   Problems problems;
   const std::string robot = "format = 1\nname = \"r\"\n[body]\nlength_m = 0.2\nwidth_m = 0.2\nradius_m = 0.1\n";
   EXPECT_FALSE(parse_robot(robot + stepper_with("max_turn_deg = 60\n"), "robot.toml", testing::kKinds, problems));
-  EXPECT_NE(problems.text().find("max_turn_deg is 60, must be one of 45, 90, 180"), std::string::npos) << problems.text();
+  EXPECT_NE(problems.text().find("max_turn_deg is 60, must be one of 45, 90, 180"), std::string::npos)
+      << problems.text();
 }
 
 TEST(Trainer, FailsWhereThereIsNothingToDraw) {
