@@ -100,12 +100,16 @@ class Page {
     std::string shape = fmt::format("{}", port.size);
     if (!port.elements.empty()) shape = code_list(element_names(port));
     if (port.size == 0) shape = word({"as wired", "según conexión"});
-    if (port.many) shape += word({", many wires", ", varias conexiones"});
+    if (port.many) {
+      shape += port.each_candidate ? word({", a wire for each candidate", ", una conexión por candidato"})
+                                   : word({", many wires", ", varias conexiones"});
+    }
     return shape;
   }
 
   void print_port(const PortDescriptor& port, bool input) {
-    out_ += fmt::format("| `{}` | {} | {} | {} | {} |", port.name, word(kRoles[static_cast<std::size_t>(port.role)]),
+    out_ += fmt::format("| `{}` | {}{} | {} | {} | {} |", port.name, word(kRoles[static_cast<std::size_t>(port.role)]),
+                        port.standing ? word({", a set-point", ", una consigna"}) : "",
                         port.unit == "*" ? word({"any", "cualquiera"}) : cell(port.unit),
                         word(kTypes[static_cast<std::size_t>(port.type)]), shape_of(port));
     if (input) out_ += fmt::format(" {} |", yes_or_no(port.required));

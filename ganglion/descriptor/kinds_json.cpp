@@ -14,18 +14,22 @@ using Json = nlohmann::ordered_json;
 Json json_of(const Text& text) { return {{"en", text.in(Language::English)}, {"es", text.in(Language::Spanish)}}; }
 
 Json json_of(const PortDescriptor& port, ComponentClass component_class, bool common) {
-  return {{"name", port.name},
-          {"direction", is_input(component_class, port.role) ? "in" : "out"},
-          {"role", name_of(port.role)},
-          {"unit", port.unit},
-          {"type", name_of(port.type)},
-          {"size", port.width()},
-          {"elements", element_names(port)},
-          {"required", is_input(component_class, port.role) && port.required},
-          {"many", port.many},
-          {"common", common},
-          {"title", json_of(port.title)},
-          {"help", json_of(port.help)}};
+  Json json = {{"name", port.name},
+               {"direction", is_input(component_class, port.role) ? "in" : "out"},
+               {"role", name_of(port.role)},
+               {"unit", port.unit},
+               {"type", name_of(port.type)},
+               {"size", port.width()},
+               {"elements", element_names(port)},
+               {"required", is_input(component_class, port.role) && port.required},
+               {"many", port.many},
+               {"common", common},
+               {"title", json_of(port.title)},
+               {"help", json_of(port.help)}};
+  if (port.standing) json["standing"] = true;
+  if (port.each_candidate) json["each_candidate"] = true;
+  if (port.derived) json["derived"] = true;
+  return json;
 }
 
 Json limit_of(const ParameterDescriptor& parameter, double limit) {
