@@ -137,7 +137,7 @@ void seed_mcap(const fs::path& folder) {
     recorder->write_json("/robot0/pose", "foxglove.PoseInFrame", 0.1 * tick, "{}");
     if (tick == 2) recorder->flush();
   }
-  good = good && recorder->finish({.digest = "00", .success = true, .reason = {"goal", "meta"}});
+  good = good && recorder->finish({.digest = "00", .verdict = Verdict::Succeeded, .reason = {"goal", "meta"}});
 }
 
 /// The frames in some bytes, each a piece; the first of them some time after what was before.

@@ -6,7 +6,7 @@ namespace ganglion {
 
 /// Exit codes, the same for every subcommand.
 enum ExitCode : int {
-  kDone = 0,          ///< Done; of a single run: the robot succeeded.
+  kDone = 0,          ///< Done; of a single run: the robot succeeded, or nobody judged.
   kRobotFailed = 1,   ///< The run was carried out, the criterion of success was not met; or a replay differed.
   kBadInput = 2,      ///< A file or an option is wrong; what and where is on standard error.
   kLinkLostCode = 3,  ///< A robot elsewhere cannot be reached, or any more; or an address cannot be listened at.

@@ -1,5 +1,6 @@
 #include "results_json.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "ganglion/run/batch.h"
@@ -20,18 +21,23 @@ Json contacts_json(const Contacts& contacts) {
 Json run_json(const RunResult& result) {
   Json measures = Json::object();
   for (const auto& [name, value] : result.measures) measures[name] = number(value);
-  return {{"seed", result.seed},
-          {"success", result.success},
-          {"reason", result.reason.en},
-          {"digest", result.digest},
-          {"contacts", contacts_json(result.contacts)},
-          {"measures", measures},
-          {"files", result.files}};
+  return {
+      {"seed", result.seed},
+      {"success", result.verdict == Verdict::NotJudged ? Json(nullptr) : Json(result.verdict == Verdict::Succeeded)},
+      {"reason", result.reason.en},
+      {"digest", result.digest},
+      {"contacts", contacts_json(result.contacts)},
+      {"measures", measures},
+      {"files", result.files}};
 }
 
-std::size_t succeeded(const std::vector<RunResult>& results) {
-  return static_cast<std::size_t>(
-      std::count_if(results.begin(), results.end(), [](const RunResult& result) { return result.success; }));
+std::size_t count(const std::vector<RunResult>& results, Verdict verdict) {
+  return static_cast<std::size_t>(std::ranges::count(results, verdict, &RunResult::verdict));
+}
+
+Text word_of(Verdict verdict) noexcept {
+  if (verdict == Verdict::NotJudged) return {"-", "-"};
+  return verdict == Verdict::Succeeded ? Text{"yes", "sí"} : Text{"no", "no"};
 }
 
 Json quartiles_json(const std::vector<Quartiles>& quartiles) {
@@ -69,8 +75,9 @@ std::string measures_table(const std::vector<Quartiles>& measures, bool one_run,
 std::string results_json(const std::vector<RunResult>& results) {
   Json runs = Json::array();
   for (const RunResult& result : results) runs.push_back(run_json(result));
-  const Json summary = {
-      {"count", results.size()}, {"succeeded", succeeded(results)}, {"quartiles", quartiles_json(quartiles(results))}};
+  const Json summary = {{"count", results.size()},
+                        {"succeeded", count(results, Verdict::Succeeded)},
+                        {"quartiles", quartiles_json(quartiles(results))}};
   return Json{{"runs", runs}, {"summary", summary}}.dump(2) + "\n";
 }
 
@@ -81,11 +88,14 @@ std::string results_table(const std::vector<RunResult>& results, Language langua
   for (const RunResult& result : results) {
     const bool known = result.contacts.known;
     text += say({"{:>6}  {:<8}{:<18}{:>9}{:>14}  {}\n", "{:>7}  {:<8}{:<18}{:>9}{:>14}  {}\n"}, result.seed,
-                result.success ? Text{"yes", "sí"} : Text{"no", "no"}, result.digest,
-                known ? fmt::format("{}", result.contacts.count) : "-",
+                word_of(result.verdict), result.digest, known ? fmt::format("{}", result.contacts.count) : "-",
                 known ? fmt::format("{:.3f}", result.contacts.fastest_mps) : "-", result.reason);
   }
-  text += say({"\n{} of {} succeeded\n", "\n{} de {} con éxito\n"}, succeeded(results), results.size());
+  const std::size_t judged = results.size() - count(results, Verdict::NotJudged);
+  text += judged > 0
+              ? say({"\n{} of {} succeeded\n", "\n{} de {} con éxito\n"}, count(results, Verdict::Succeeded), judged)
+              : say({"\nnot judged: the experiment has no criterion of success\n",
+                     "\nsin juzgar: el experimento no tiene criterio de éxito\n"});
   return text.in(language) + measures_table(quartiles(results), results.size() == 1, language);
 }
 
@@ -119,8 +129,8 @@ std::string faults_table(const std::vector<FaultRow>& rows, Language language) {
   for (const auto& [criterion, runs] : rows.front().met) text += "  " + criterion;
   text += '\n';
   for (const FaultRow& row : rows) {
-    text +=
-        row_of(row.name, row.runs, row.succeeded, fmt::format("{:.0f} %", 100 * share_of_healthy(row, rows.front())));
+    const double share = share_of_healthy(row, rows.front());
+    text += row_of(row.name, row.runs, row.succeeded, std::isnan(share) ? "-" : fmt::format("{:.0f} %", 100 * share));
     for (const auto& [criterion, runs] : row.met) text += fmt::format("{:>{}}", runs, criterion.size() + 2);
     text += '\n';
   }

@@ -23,13 +23,14 @@ tl::unexpected<Error> not_results(const std::string& file, const Sentence& why) 
 
 Result<report::BatchRun> run_of(const Json& run, std::size_t index, const std::string& file) {
   const auto success = run.find("success"), measures = run.find("measures");
-  if (!run.is_object() || success == run.end() || !success->is_boolean() || measures == run.end() ||
-      !measures->is_object()) {
+  if (!run.is_object() || success == run.end() || !(success->is_boolean() || success->is_null()) ||
+      measures == run.end() || !measures->is_object()) {
     return not_results(
         file,
         say({"runs[{}] has no \"success\" and \"measures\"", "runs[{}] no tiene \"success\" y \"measures\""}, index));
   }
-  report::BatchRun read{.success = success->get<bool>(), .measures = {}};
+  report::BatchRun read;  // not judged
+  if (success->is_boolean()) read.verdict = success->get<bool>() ? Verdict::Succeeded : Verdict::Failed;
   for (const auto& [name, value] : measures->items()) {
     if (!value.is_number() && !value.is_null())
       return not_results(
@@ -69,7 +70,7 @@ Result<std::vector<report::BatchRun>> runs_of_folder(const std::string& folder) 
   const auto runs = catalogue->list(filter);
   if (!runs) return tl::unexpected<Error>(runs.error());
   std::vector<report::BatchRun> read;
-  for (const RunSummary& run : *runs) read.push_back({run.finished && run.success, run.measures});
+  for (const RunSummary& run : *runs) read.push_back({run.finished ? run.verdict : Verdict::Failed, run.measures});
   return read;
 }
 

@@ -121,7 +121,7 @@ void catalogue(const fs::path& folder, const std::vector<RunResult>& results, co
     summary.controller_hash = prepared.controller_hash;
     summary.finished = true;
     summary.digest = result.digest;
-    summary.success = result.success;
+    summary.verdict = result.verdict;
     summary.reason = result.reason;
     summary.measures = result.measures;
     summary.recorded_s = std::time(nullptr);
@@ -262,7 +262,7 @@ int run_one(const Prepared& prepared, const RunArguments& arguments, double pace
   }
   if (watched) watched->serve_until_interrupted();
   if (written != kDone) return written;
-  return result->success ? kDone : kRobotFailed;
+  return result->verdict == Verdict::Failed ? kRobotFailed : kDone;
 }
 
 int run_command(const RunArguments& arguments) {
@@ -330,9 +330,8 @@ void add_run(CLI::App& program, int& code) {
       "  ganglion run experiments/nimrod --set controller.acting.escape.trigger_range_m=0.15 --seeds 1..20\n"
       "  ganglion run experiments/nimrod --faults matrix --seeds 1..100\n"
       "  ganglion run experiments/nimrod --robot tcp://127.0.0.1:7007\n"
-      "Exit codes: 0 the robot succeeded (with --seeds: all runs were carried out), 1 it failed, 2 bad input, 3 the "
-      "link "
-      "to the robot was lost.");
+      "Exit codes: 0 the robot succeeded or was not judged (with --seeds: all runs were carried out), 1 it failed, 2 "
+      "bad input, 3 the link to the robot was lost.");
   command->callback([arguments, seed, pace, &code] {
     if (arguments->studio && pace->count() == 0) arguments->pace = "1x";
     arguments->has_seed = seed->count() > 0;

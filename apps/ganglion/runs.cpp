@@ -46,20 +46,21 @@ Result<std::vector<RunSummary>> runs_of(const RunsArguments& arguments) {
   return catalogue->list(filter);
 }
 
-constexpr Text outcome_of(bool success) noexcept {
-  return success ? Text{"success", "éxito"} : Text{"failed", "fallida"};
+constexpr Text outcome_of(Verdict verdict) noexcept {
+  if (verdict == Verdict::NotJudged) return {"not judged", "sin juzgar"};
+  return verdict == Verdict::Succeeded ? Text{"success", "éxito"} : Text{"failed", "fallida"};
 }
 
 int list(const RunsArguments& arguments) {
   const auto runs = runs_of(arguments);
   if (!runs) return complain(runs.error());
   const auto row = [](const auto&... cells) {
-    tell({"{:<36}{:<26}{:>6}  {:<9}{:<18}{}", "{:<36}{:<26}{:>7}  {:<10}{:<18}{}"}, cells...);
+    tell({"{:<36}{:<26}{:>6}  {:<12}{:<18}{}", "{:<36}{:<26}{:>7}  {:<12}{:<18}{}"}, cells...);
   };
   row(Text{"file", "archivo"}, Text{"experiment", "experimento"}, Text{"seed", "semilla"}, Text{"outcome", "resultado"},
       Text{"digest", "huella"}, Text{"reason", "motivo"});
   for (const RunSummary& run : *runs) {
-    row(run.file, run.name, run.seed, run.finished ? outcome_of(run.success) : Text{"cut", "cortada"}, run.digest,
+    row(run.file, run.name, run.seed, run.finished ? outcome_of(run.verdict) : Text{"cut", "cortada"}, run.digest,
         recorded(run.reason));
   }
   return kDone;
@@ -85,7 +86,7 @@ int show(const RunsArguments& arguments) {
        shortest(run->info.tick_s));
   for (const Sentence& damage : run->damages) tell({"damaged: {}", "dañado: {}"}, damage);
   if (run->outcome) {
-    tell({"{}: {}\ndigest {}", "{}: {}\nhuella {}"}, outcome_of(run->outcome->success), recorded(run->outcome->reason),
+    tell({"{}: {}\ndigest {}", "{}: {}\nhuella {}"}, outcome_of(run->outcome->verdict), recorded(run->outcome->reason),
          run->outcome->digest);
     for (const auto& [name, value] : run->outcome->measures) fmt::print("  {:<26}{}\n", name, shortest(value));
   } else {
@@ -172,7 +173,7 @@ int digests(const RunsArguments& arguments) {
   return found.different.empty() ? kDone : kRobotFailed;
 }
 
-/// The page, and what it says first: how many runs of each batch succeeded.
+/// The page, and what it says first: how many of each batch's judged runs succeeded.
 int compare(const RunsArguments& arguments) {
   Problems problems;
   std::vector<report::NamedBatch> batches;
@@ -187,10 +188,11 @@ int compare(const RunsArguments& arguments) {
   tell({"{:<26}{:>8}{:>11}  {}", "{:<26}{:>12}{:>11}  {}"}, Text{"batch", "serie"}, Text{"runs", "ejecuciones"},
        Text{"succeeded", "con éxito"}, Text{"95 % interval of the share", "intervalo del 95 % de la proporción"});
   for (const report::NamedBatch& batch : batches) {
-    const auto won = static_cast<std::size_t>(std::ranges::count(batch.runs, true, &report::BatchRun::success));
-    const report::Interval interval = report::wilson(won, batch.runs.size());
-    tell({"{:<26}{:>8}{:>11}  {:.3f} .. {:.3f}", "{:<26}{:>12}{:>11}  {:.3f} .. {:.3f}"}, batch.name, batch.runs.size(),
-         won, interval.lower, interval.upper);
+    const auto [judged, won] = report::successes_of(batch);
+    const report::Interval interval = report::wilson(won, judged);
+    tell({"{:<26}{:>8}{:>11}  {}", "{:<26}{:>12}{:>11}  {}"}, batch.name, batch.runs.size(),
+         judged > 0 ? std::to_string(won) : "-",
+         judged > 0 ? fmt::format("{:.3f} .. {:.3f}", interval.lower, interval.upper) : "-");
   }
   if (const auto written = report::write_comparison(batches, arguments.out, language()); !written) {
     complain(written.error());

@@ -61,7 +61,7 @@ class Reader {
   }
 
   void read_outcome(const ganglion::RunOutcome& outcome) {
-    view_.outcome = RunOutcome{outcome.success, outcome.reason, Sentence::quoted(outcome.criterion), outcome.digest};
+    view_.outcome = RunOutcome{outcome.verdict, outcome.reason, Sentence::quoted(outcome.criterion), outcome.digest};
     for (const auto& [name, value] : outcome.measures) view_.measures.push_back({name, value});
   }
 

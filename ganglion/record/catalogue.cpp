@@ -43,6 +43,15 @@ std::string_view order_column(std::string_view sort_by) noexcept {
   return found != kOrders.end() ? found->second : std::string_view();
 }
 
+/// The column `success`: 1, 0, and -1 where nobody judged.
+constexpr std::int64_t kNotJudged = -1;
+std::int64_t number_of(Verdict verdict) noexcept {
+  return verdict == Verdict::NotJudged ? kNotJudged : std::int64_t{verdict == Verdict::Succeeded};
+}
+Verdict verdict_of(std::int64_t success) noexcept {
+  return success == kNotJudged ? Verdict::NotJudged : success != 0 ? Verdict::Succeeded : Verdict::Failed;
+}
+
 std::int64_t written_s(const fs::path& path) {
   std::error_code error;
   const auto time = fs::last_write_time(path, error);
@@ -87,7 +96,7 @@ RunSummary run_in_row(const Statement& row) {
   run.controller_hash = row.text(4);
   run.finished = row.integer(5) != 0;
   run.digest = row.text(6);
-  run.success = row.integer(7) != 0;
+  run.verdict = verdict_of(row.integer(7));
   run.reason = {row.text(8), row.text(10)};
   run.recorded_s = row.integer(9);
   return run;
@@ -106,7 +115,7 @@ RunSummary summary_of(const RunFile& run, std::string file, std::int64_t recorde
   if (!run.outcome) return summary;
   summary.finished = true;
   summary.digest = run.outcome->digest;
-  summary.success = run.outcome->success;
+  summary.verdict = run.outcome->verdict;
   summary.reason = run.outcome->reason;
   summary.measures = run.outcome->measures;
   return summary;
@@ -132,7 +141,7 @@ Result<void> RunCatalogue::insert(const RunSummary& run) {
   insert->bind(5, std::string_view(run.controller_hash));
   insert->bind(6, std::int64_t{run.finished});
   insert->bind(7, std::string_view(run.digest));
-  insert->bind(8, std::int64_t{run.success});
+  insert->bind(8, number_of(run.verdict));
   insert->bind(9, std::string_view(run.reason.en));
   insert->bind(10, run.recorded_s);
   insert->bind(11, std::string_view(run.reason.es));
@@ -246,7 +255,7 @@ std::string to_csv(std::span<const RunSummary> runs) {
   text += '\n';
   for (const RunSummary& run : runs) {
     text += fmt::format("{},{},{},{},{},{},{},{},{},{}", csv_cell(run.file), csv_cell(run.name), run.seed, run.episode,
-                        csv_cell(run.controller_hash), run.finished, csv_cell(run.digest), run.success,
+                        csv_cell(run.controller_hash), run.finished, csv_cell(run.digest), success_word(run.verdict),
                         csv_cell(run.reason.en), run.recorded_s);
     for (const std::string& name : measures) {
       const auto found =

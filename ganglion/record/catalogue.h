@@ -24,7 +24,7 @@ struct RunSummary {
   std::string controller_hash;
   bool finished = false;  ///< False for a run that was cut; the next three are then empty.
   std::string digest;
-  bool success = false;
+  Verdict verdict = Verdict::NotJudged;
   Sentence reason;  ///< No Spanish where the file has English only.
   std::vector<std::pair<std::string, double>> measures;
   std::int64_t recorded_s = 0;  ///< When, seconds since 1970.
@@ -37,7 +37,7 @@ struct RunFilter {
   std::optional<std::string> name;
   std::optional<std::uint64_t> seed;
   std::optional<std::string> controller_hash;
-  std::optional<bool> success;
+  std::optional<bool> success;  ///< Of those that were judged.
   /// recorded, file, name, seed, episode, success, digest, or the name of a measure.
   std::string sort_by = "recorded";
   bool descending = true;  ///< Runs without the measure come last either way.

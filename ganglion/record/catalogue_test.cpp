@@ -11,7 +11,7 @@
 namespace ganglion {
 namespace {
 
-RunSummary run(std::string file, std::uint64_t seed, bool success,
+RunSummary run(std::string file, std::uint64_t seed, Verdict verdict,
                std::vector<std::pair<std::string, double>> measures) {
   RunSummary summary;
   summary.file = std::move(file);
@@ -20,8 +20,9 @@ RunSummary run(std::string file, std::uint64_t seed, bool success,
   summary.controller_hash = "c0";
   summary.finished = true;
   summary.digest = "d" + std::to_string(seed);
-  summary.success = success;
-  summary.reason = success ? Sentence{"goal", "meta"} : Sentence{"time is up", "se acabó el tiempo"};
+  summary.verdict = verdict;
+  summary.reason =
+      verdict == Verdict::Succeeded ? Sentence{"goal", "meta"} : Sentence{"time is up", "se acabó el tiempo"};
   summary.measures = std::move(measures);
   summary.recorded_s = 1000 + static_cast<std::int64_t>(seed);
   return summary;
@@ -43,7 +44,8 @@ class Catalogue : public FolderTest {
 
 TEST_F(Catalogue, KeepsWhatWasAdded) {
   const std::uint64_t large_seed = 18446744073709551615u;
-  ASSERT_TRUE(open().add(run("a.mcap", large_seed, true, {{"time_s", 12.5}, {"area", NAN}, {"gap", INFINITY}})));
+  ASSERT_TRUE(
+      open().add(run("a.mcap", large_seed, Verdict::Succeeded, {{"time_s", 12.5}, {"area", NAN}, {"gap", INFINITY}})));
   const auto runs = open().list();
   ASSERT_TRUE(runs);
   ASSERT_EQ(runs->size(), 1u);
@@ -51,7 +53,8 @@ TEST_F(Catalogue, KeepsWhatWasAdded) {
   EXPECT_EQ(got.seed, large_seed);
   EXPECT_EQ(got.digest, "d18446744073709551615");
   EXPECT_EQ(got.reason, (Sentence{"goal", "meta"}));
-  EXPECT_TRUE(got.success && got.finished);
+  EXPECT_EQ(got.verdict, Verdict::Succeeded);
+  EXPECT_TRUE(got.finished);
   ASSERT_EQ(got.measures.size(), 3u);
   EXPECT_EQ(got.measures[0], (std::pair<std::string, double>("time_s", 12.5)));
   EXPECT_TRUE(std::isnan(got.measures[1].second));
@@ -60,8 +63,8 @@ TEST_F(Catalogue, KeepsWhatWasAdded) {
 
 TEST_F(Catalogue, ReplacesTheRunOfTheSameFile) {
   auto catalogue = open();
-  ASSERT_TRUE(catalogue.add(run("a.mcap", 1, false, {{"time_s", 1}, {"area", 2}})));
-  ASSERT_TRUE(catalogue.add(run("a.mcap", 2, true, {{"time_s", 3}})));
+  ASSERT_TRUE(catalogue.add(run("a.mcap", 1, Verdict::Failed, {{"time_s", 1}, {"area", 2}})));
+  ASSERT_TRUE(catalogue.add(run("a.mcap", 2, Verdict::Succeeded, {{"time_s", 3}})));
   const auto runs = catalogue.list();
   ASSERT_EQ(runs->size(), 1u);
   EXPECT_EQ(runs->front().seed, 2u);
@@ -70,9 +73,9 @@ TEST_F(Catalogue, ReplacesTheRunOfTheSameFile) {
 
 TEST_F(Catalogue, FiltersAndSorts) {
   auto catalogue = open();
-  ASSERT_TRUE(catalogue.add(run("a.mcap", 1, true, {{"time_s", 30}})));
-  ASSERT_TRUE(catalogue.add(run("b.mcap", 2, false, {})));
-  ASSERT_TRUE(catalogue.add(run("c.mcap", 3, true, {{"time_s", 10}})));
+  ASSERT_TRUE(catalogue.add(run("a.mcap", 1, Verdict::Succeeded, {{"time_s", 30}})));
+  ASSERT_TRUE(catalogue.add(run("b.mcap", 2, Verdict::Failed, {})));
+  ASSERT_TRUE(catalogue.add(run("c.mcap", 3, Verdict::Succeeded, {{"time_s", 10}})));
   EXPECT_EQ(files(catalogue.list()), "c.mcap b.mcap a.mcap ");  // newest first
   EXPECT_EQ(files(catalogue.list({.success = true, .sort_by = "time_s", .descending = false})), "c.mcap a.mcap ");
   EXPECT_EQ(files(catalogue.list({.sort_by = "time_s"})), "a.mcap c.mcap b.mcap ");
@@ -83,8 +86,20 @@ TEST_F(Catalogue, FiltersAndSorts) {
             "a.mcap b.mcap ");
 }
 
+TEST_F(Catalogue, KeepsRunsThatNobodyJudgedApart) {
+  auto catalogue = open();
+  ASSERT_TRUE(catalogue.add(run("a.mcap", 1, Verdict::NotJudged, {})));
+  ASSERT_TRUE(catalogue.add(run("b.mcap", 2, Verdict::Failed, {})));
+  ASSERT_TRUE(catalogue.add(run("c.mcap", 3, Verdict::Succeeded, {})));
+  EXPECT_EQ(files(catalogue.list({.success = true})), "c.mcap ");
+  EXPECT_EQ(files(catalogue.list({.success = false})), "b.mcap ");
+  const auto runs = catalogue.list({.sort_by = "success", .descending = false});
+  ASSERT_EQ(files(runs), "a.mcap b.mcap c.mcap ");
+  EXPECT_EQ(runs->front().verdict, Verdict::NotJudged);
+}
+
 TEST_F(Catalogue, SuggestsWhatToSortBy) {
-  ASSERT_TRUE(open().add(run("a.mcap", 1, true, {{"time_s", 30}})));
+  ASSERT_TRUE(open().add(run("a.mcap", 1, Verdict::Succeeded, {{"time_s", 30}})));
   const auto refused = open().list({.sort_by = "time"});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::UnknownKey);
@@ -95,14 +110,17 @@ TEST_F(Catalogue, SuggestsWhatToSortBy) {
 TEST_F(Catalogue, IsRebuiltFromTheFiles) {
   const RunInfo info{.name = "Nimrod", .seed = 7, .episode = 1, .tick_s = 0.1, .controller_hash = "c0"};
   ASSERT_TRUE(RunRecorder::create(folder_ / "2020" / "done.mcap", info)
-                  ->finish({.digest = "d7", .success = true, .reason = {"goal", "meta"}, .measures = {{"time_s", 3}}}));
+                  ->finish({.digest = "d7",
+                            .verdict = Verdict::Succeeded,
+                            .reason = {"goal", "meta"},
+                            .measures = {{"time_s", 3}}}));
   ASSERT_TRUE(RunRecorder::create(folder_ / "whole.mcap", info)->finish({}));
   const std::string whole = *read_file(folder_ / "whole.mcap");
   std::filesystem::remove(folder_ / "whole.mcap");
   ASSERT_TRUE(write_file(folder_ / "cut.mcap", whole.substr(0, whole.find("ganglion.outcome"))));
   ASSERT_TRUE(write_file(folder_ / "broken.mcap", "no run at all"));
   auto catalogue = open();
-  ASSERT_TRUE(catalogue.add(run("gone.mcap", 1, true, {})));
+  ASSERT_TRUE(catalogue.add(run("gone.mcap", 1, Verdict::Succeeded, {})));
   const auto report = catalogue.rebuild();
   ASSERT_TRUE(report) << report.error().text();
   EXPECT_EQ(report->runs, 2u);
@@ -119,12 +137,14 @@ TEST_F(Catalogue, IsRebuiltFromTheFiles) {
 }
 
 TEST(CatalogueCsv, HasAColumnForEveryMeasure) {
-  const std::vector<RunSummary> runs = {run("a,1.mcap", 1, true, {{"time_s", 30}}),
-                                        run("b.mcap", 2, false, {{"area", NAN}})};
+  const std::vector<RunSummary> runs = {run("a,1.mcap", 1, Verdict::Succeeded, {{"time_s", 30}}),
+                                        run("b.mcap", 2, Verdict::Failed, {{"area", NAN}}),
+                                        run("c.mcap", 3, Verdict::NotJudged, {})};
   EXPECT_EQ(to_csv(runs),
             "file,name,seed,episode,controller_hash,finished,digest,success,reason,recorded_s,area,time_s\n"
             "\"a,1.mcap\",Nimrod,1,0,c0,true,d1,true,goal,1001,,30\n"
-            "b.mcap,Nimrod,2,0,c0,true,d2,false,time is up,1002,nan,\n");
+            "b.mcap,Nimrod,2,0,c0,true,d2,false,time is up,1002,nan,\n"
+            "c.mcap,Nimrod,3,0,c0,true,d3,,time is up,1003,,\n");
 }
 
 }  // namespace

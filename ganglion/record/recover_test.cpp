@@ -42,7 +42,7 @@ class RecoverRun : public FolderTest {
       recorder.flush();
       ends_.push_back(recorder.bytes_written());
     }
-    EXPECT_TRUE(recorder.finish({.digest = "00ff", .success = true, .reason = {"goal", "meta"}}));
+    EXPECT_TRUE(recorder.finish({.digest = "00ff", .verdict = Verdict::Succeeded, .reason = {"goal", "meta"}}));
     return *read_file(whole());
   }
 

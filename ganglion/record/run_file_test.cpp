@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "ganglion/base/file.h"
@@ -52,7 +53,7 @@ class RunFileTest : public FolderTest {
 TEST_F(RunFileTest, ReadsBackWhatWasRecorded) {
   auto recorder = record(3, options());
   ASSERT_TRUE(recorder.finish({.digest = "abc",
-                               .success = true,
+                               .verdict = Verdict::Succeeded,
                                .reason = {"goal", "meta"},
                                .criterion = "a > 1",
                                .measures = {{"b", 0.1}, {"a", NAN}}}));
@@ -68,7 +69,7 @@ TEST_F(RunFileTest, ReadsBackWhatWasRecorded) {
   EXPECT_EQ(run->info.versions, info_of_test().versions);
   ASSERT_TRUE(run->outcome);
   EXPECT_EQ(run->outcome->digest, "abc");
-  EXPECT_TRUE(run->outcome->success);
+  EXPECT_EQ(run->outcome->verdict, Verdict::Succeeded);
   EXPECT_EQ(run->outcome->reason, (Sentence{"goal", "meta"}));
   EXPECT_EQ(run->outcome->criterion, "a > 1");
   ASSERT_EQ(run->outcome->measures.size(), 2u);
@@ -150,6 +151,18 @@ TEST_F(RunFileTest, RefusesARowOfTheWrongLength) {
   ASSERT_FALSE(run);
   EXPECT_EQ(run.error().code, ErrorCode::Corrupt);
   EXPECT_EQ(run.error().what.en, "message 0 of \"/robot0/signals\" is no row of 2 values");
+}
+
+TEST(RunOutcome, IsReadBackWithItsVerdictOrWithNone) {
+  for (const Verdict verdict : {Verdict::NotJudged, Verdict::Failed, Verdict::Succeeded}) {
+    const mcap::Fields fields = to_fields(RunOutcome{.digest = "00", .verdict = verdict, .reason = {"goal", "meta"}});
+    const auto named =
+        std::count_if(fields.begin(), fields.end(), [](const auto& field) { return field.first == "success"; });
+    EXPECT_EQ(named, verdict == Verdict::NotJudged ? 0 : 1);
+    const auto outcome = run_outcome_from(fields);
+    ASSERT_TRUE(outcome) << outcome.error().text();
+    EXPECT_EQ(outcome->verdict, verdict);
+  }
 }
 
 TEST(RunOutcome, HasNoSpanishWhereTheFileHadNone) {

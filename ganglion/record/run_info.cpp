@@ -12,6 +12,7 @@ namespace {
 constexpr std::string_view kVersion = "version.";
 constexpr std::string_view kMeasure = "measure.";
 constexpr std::string_view kDigest = "digest.";
+constexpr std::string_view kSuccess = "success";
 constexpr std::string_view kReasonEs = "reason_es";
 constexpr std::string_view kCriterion = "criterion";
 constexpr std::string_view kInterventions = "interventions";
@@ -22,8 +23,7 @@ class FieldTaker {
   FieldTaker(const mcap::Fields& fields, std::string_view record) : fields_(fields), record_(record) {}
 
   std::string text(std::string_view key) {
-    const auto found =
-        std::find_if(fields_.begin(), fields_.end(), [&](const auto& field) { return field.first == key; });
+    const auto found = find(key);
     if (found != fields_.end()) return found->second;
     complain({"has no field \"{}\"", "no tiene el campo \"{}\""}, key);
     return {};
@@ -48,12 +48,15 @@ class FieldTaker {
     return value.value_or(0);
   }
 
-  bool truth(std::string_view key) {
-    const std::string word = text(key);
-    if (word != "true" && word != "false") {
-      complain({"has {} = \"{}\"; valid: true, false", "tiene {} = \"{}\"; válidos: true, false"}, key, word);
+  /// NotJudged where there is no such field.
+  Verdict verdict(std::string_view key) {
+    const auto found = find(key);
+    if (found == fields_.end()) return Verdict::NotJudged;
+    for (const Verdict verdict : {Verdict::Succeeded, Verdict::Failed}) {
+      if (found->second == success_word(verdict)) return verdict;
     }
-    return word == "true";
+    complain({"has {} = \"{}\"; valid: true, false", "tiene {} = \"{}\"; válidos: true, false"}, key, found->second);
+    return Verdict::NotJudged;
   }
 
   template <class T>
@@ -63,6 +66,9 @@ class FieldTaker {
   }
 
  private:
+  mcap::Fields::const_iterator find(std::string_view key) const {
+    return std::find_if(fields_.begin(), fields_.end(), [&](const auto& field) { return field.first == key; });
+  }
   template <class... Args>
   void complain(Wording<std::type_identity_t<Args>...> words, const Args&... args) {
     if (!complaint_) complaint_ = say<Args...>(words, args...);
@@ -86,8 +92,9 @@ mcap::Fields to_fields(const RunInfo& info) {
 }
 
 mcap::Fields to_fields(const RunOutcome& outcome) {
-  mcap::Fields fields = {
-      {"digest", outcome.digest}, {"success", outcome.success ? "true" : "false"}, {"reason", outcome.reason.en}};
+  mcap::Fields fields = {{"digest", outcome.digest}};
+  if (outcome.verdict != Verdict::NotJudged) fields.emplace_back(kSuccess, success_word(outcome.verdict));
+  fields.emplace_back("reason", outcome.reason.en);
   if (!outcome.reason.es.empty()) fields.emplace_back(kReasonEs, outcome.reason.es);
   if (!outcome.criterion.empty()) fields.emplace_back(kCriterion, outcome.criterion);
   for (const auto& [name, value] : outcome.measures) fields.emplace_back(std::string(kMeasure) + name, shortest(value));
@@ -115,7 +122,7 @@ Result<RunOutcome> run_outcome_from(const mcap::Fields& fields) {
   FieldTaker taker(fields, kOutcomeMetadata);
   RunOutcome outcome;
   outcome.digest = taker.text("digest");
-  outcome.success = taker.truth("success");
+  outcome.verdict = taker.verdict(kSuccess);
   outcome.reason.en = taker.text("reason");
   for (const auto& [key, value] : fields) {
     if (key == kReasonEs) outcome.reason.es = value;

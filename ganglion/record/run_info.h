@@ -23,10 +23,18 @@ struct RunInfo {
   std::map<std::string, std::string> versions;  ///< Of the program and what it links: {"ganglion", "0.1.0"}...
 };
 
+/// Whether a run did what its experiment calls success.
+enum class Verdict : std::uint8_t { NotJudged, Failed, Succeeded };
+
+/// "true" or "false", as files and tables have it; "" where nobody judged.
+constexpr std::string_view success_word(Verdict verdict) noexcept {
+  return verdict == Verdict::NotJudged ? "" : verdict == Verdict::Succeeded ? "true" : "false";
+}
+
 /// How it ended.
 struct RunOutcome {
   std::string digest;  ///< Of the deterministic signals, hex digits.
-  bool success = false;
+  Verdict verdict = Verdict::NotJudged;
   Sentence reason;        ///< Why it ended, in plain words; no Spanish in files that had English only.
   std::string criterion;  ///< What the experiment calls success: "progress_ratio >= 0.6; ..."; "" likewise.
   std::vector<std::pair<std::string, double>> measures;  ///< In the order of the experiment file.
@@ -39,8 +47,8 @@ struct RunOutcome {
 inline constexpr std::string_view kRunMetadata = "ganglion.run";
 inline constexpr std::string_view kOutcomeMetadata = "ganglion.outcome";
 
-/// All as text: a name for each field, "version.<name>", "measure.<name>", "digest.<component>". Numbers in the
-/// shortest form that reads back.
+/// All as text: a name for each field, "version.<name>", "measure.<name>", "digest.<component>"; the verdict is
+/// "success", left out where nobody judged. Numbers in the shortest form that reads back.
 mcap::Fields to_fields(const RunInfo& info);
 mcap::Fields to_fields(const RunOutcome& outcome);
 

@@ -64,14 +64,18 @@ std::string shares(std::span<const NamedBatch> batches, Language language) {
                      "\n<div class=\"scroll\"><table>" +
                      head({"batch", "runs", "successes", "share", "interval"}, language) + "<tbody>\n";
   for (const NamedBatch& batch : batches) {
-    const auto won = static_cast<std::size_t>(std::ranges::count(batch.runs, true, &BatchRun::success));
-    const Interval interval = wilson(won, batch.runs.size());
-    const double share =
-        batch.runs.empty() ? std::nan("") : static_cast<double>(won) / static_cast<double>(batch.runs.size());
-    html += fmt::format(
-        "<tr><th scope=\"row\">{}</th><td class=\"number\">{}</td><td class=\"number\">{}</td>{}"
-        "<td class=\"number\">{:.3f} &ndash; {:.3f}</td></tr>\n",
-        safe(batch.name), batch.runs.size(), won, number(share, language), interval.lower, interval.upper);
+    html +=
+        fmt::format("<tr><th scope=\"row\">{}</th><td class=\"number\">{}</td>", safe(batch.name), batch.runs.size());
+    const auto [judged, won] = successes_of(batch);
+    if (judged == 0) {
+      for (int cell = 0; cell < 3; ++cell) html += "<td class=\"number\">-</td>";
+    } else {
+      const Interval interval = wilson(won, judged);
+      html += fmt::format("<td class=\"number\">{}</td>{}<td class=\"number\">{:.3f} &ndash; {:.3f}</td>", won,
+                          number(static_cast<double>(won) / static_cast<double>(judged), language), interval.lower,
+                          interval.upper);
+    }
+    html += "</tr>\n";
   }
   return html + "</tbody></table></div>\n</section>\n";
 }
@@ -108,6 +112,13 @@ std::string measure_section(std::span<const NamedBatch> batches, const std::stri
 }
 
 }  // namespace
+
+Successes successes_of(const NamedBatch& batch) noexcept {
+  const auto count = [&](Verdict verdict) {
+    return static_cast<std::size_t>(std::ranges::count(batch.runs, verdict, &BatchRun::verdict));
+  };
+  return {batch.runs.size() - count(Verdict::NotJudged), count(Verdict::Succeeded)};
+}
 
 Interval wilson(std::size_t successes, std::size_t runs) noexcept {
   if (runs == 0) return {};

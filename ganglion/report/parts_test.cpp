@@ -75,8 +75,8 @@ TEST(UnitOf, IsTheSuffixOfTheName) {
 TEST(Comparison, ShowsSharesAndQuartilesOfBothPresets) {
   NamedBatch listing{"listing", {}}, recommended{"<b>recommended</b>", {}};
   for (int i = 1; i <= 4; ++i) {
-    listing.runs.push_back({i == 1, {{"path_m", i}}});
-    recommended.runs.push_back({true, {{"path_m", 10.0 * i}, {"contacts", NAN}}});
+    listing.runs.push_back({i == 1 ? Verdict::Succeeded : Verdict::Failed, {{"path_m", i}}});
+    recommended.runs.push_back({Verdict::Succeeded, {{"path_m", 10.0 * i}, {"contacts", NAN}}});
   }
   const std::vector<NamedBatch> batches{listing, recommended};
   const std::string html = comparison_page(batches);
@@ -85,6 +85,17 @@ TEST(Comparison, ShowsSharesAndQuartilesOfBothPresets) {
     EXPECT_NE(html.find(quartile), std::string::npos) << quartile;
   EXPECT_EQ(html.find("<b>"), std::string::npos);
   EXPECT_NE(comparison_page(batches, plot::Language::Spanish).find("mediana"), std::string::npos);
+}
+
+TEST(Comparison, TakesTheShareOfTheRunsThatWereJudged) {
+  NamedBatch batch{"free", {{Verdict::NotJudged, {}}, {Verdict::NotJudged, {}}}};
+  const std::string dashes = "<td class=\"number\">2</td><td class=\"number\">-</td><td class=\"number\">-</td>";
+  EXPECT_NE(comparison_page(std::vector{batch}).find(dashes), std::string::npos);
+  batch.runs.push_back({Verdict::Succeeded, {}});
+  batch.runs.push_back({Verdict::Failed, {}});
+  EXPECT_EQ(successes_of(batch).judged, 2u);
+  EXPECT_EQ(successes_of(batch).won, 1u);
+  EXPECT_NE(comparison_page(std::vector{batch}).find("<td class=\"number\">0.5</td>"), std::string::npos);
 }
 
 }  // namespace

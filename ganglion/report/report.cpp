@@ -31,17 +31,17 @@ std::string badge(const plot::RunView& run, Language language) {
       "<path d=\"M4 12l5 5L20 6\" fill=\"none\" stroke=\"currentColor\" stroke-width=\"3\"/>";
   constexpr std::string_view kCross =
       "<path d=\"M5 5l14 14M5 19L19 5\" fill=\"none\" stroke=\"currentColor\" stroke-width=\"3\"/>";
-  const bool success = run.outcome && run.outcome->success;
-  const std::string icon =
-      fmt::format("<svg viewBox=\"0 0 24 24\" aria-hidden=\"true\">{}</svg>", success ? kTick : kCross);
-  const std::string word = !run.outcome ? worded("span", "was_cut", language)
-                           : success    ? worded("span", "succeeded", language)
-                                        : worded("span", "failed", language);
-  return fmt::format("<p><span class=\"badge {}\">{}{}</span>",
-                     !run.outcome ? "cut"
-                     : success    ? "success"
-                                  : "failure",
-                     icon, word) +
+  constexpr std::string_view kDash = "<path d=\"M4 12h16\" fill=\"none\" stroke=\"currentColor\" stroke-width=\"3\"/>";
+  struct Look {
+    std::string_view style, icon;
+    Key word;
+  };
+  const Look look = !run.outcome                                 ? Look{"cut", kCross, "was_cut"}
+                    : run.outcome->verdict == Verdict::NotJudged ? Look{"neutral", kDash, "not_judged"}
+                    : run.outcome->verdict == Verdict::Succeeded ? Look{"success", kTick, "succeeded"}
+                                                                 : Look{"failure", kCross, "failed"};
+  return fmt::format("<p><span class=\"badge {}\"><svg viewBox=\"0 0 24 24\" aria-hidden=\"true\">{}</svg>{}</span>",
+                     look.style, look.icon, worded("span", look.word, language)) +
          (run.outcome && !run.outcome->reason.en.empty() ? ": " + sentence(run.outcome->reason) : "") + "</p>\n";
 }
 

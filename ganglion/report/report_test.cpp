@@ -168,7 +168,10 @@ TEST(Report, NamesEveryControlForThoseWhoCannotSeeIt) {
 TEST(Report, SaysInWordsHowTheRunEnded) {
   RunView run = plot::sample_behaviour_run(1, 5);
   EXPECT_NE(page_of(run).find("Succeeded"), std::string::npos);
-  run.outcome->success = false;
+  run.outcome->verdict = Verdict::NotJudged;
+  EXPECT_NE(page_of(run).find("badge neutral"), std::string::npos);
+  EXPECT_NE(page_of(run).find("data-word=\"not_judged\">Not judged: "), std::string::npos);
+  run.outcome->verdict = Verdict::Failed;
   EXPECT_NE(page_of(run).find("data-word=\"failed\">Failed"), std::string::npos);
 }
 

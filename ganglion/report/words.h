@@ -23,6 +23,8 @@ inline constexpr std::array kEntries{
     Entry{"digest", "digest", "huella"},
     Entry{"succeeded", "Succeeded", "Logrado"},
     Entry{"failed", "Failed", "No logrado"},
+    Entry{"not_judged", "Not judged: the experiment has no criterion of success",
+          "Sin juzgar: el experimento no tiene criterio de éxito"},
     Entry{"was_cut", "Cut short: no outcome was recorded", "Interrumpida: no se registró ningún resultado"},
     Entry{"criterion", "Criterion of success", "Criterio de éxito"},
     Entry{"other_language", "Español", "English"},

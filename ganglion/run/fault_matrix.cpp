@@ -97,11 +97,12 @@ std::vector<Fault> single_faults(const Prepared& prepared) {
 bool overlap(const std::string& a, const std::string& b) { return a == b || device_of(a) == b || a == device_of(b); }
 
 FaultRow row_of(const FaultCase& one, const Experiment& experiment, const std::vector<RunResult>& results) {
-  FaultRow row{.name = one.name,
-               .runs = results.size(),
-               .succeeded = static_cast<std::size_t>(std::ranges::count(results, true, &RunResult::success)),
-               .met = {},
-               .quartiles = quartiles(results)};
+  FaultRow row{
+      .name = one.name,
+      .runs = results.size(),
+      .succeeded = static_cast<std::size_t>(std::ranges::count(results, Verdict::Succeeded, &RunResult::verdict)),
+      .met = {},
+      .quartiles = quartiles(results)};
   for (const Criterion& criterion : experiment.success) {
     const auto met = std::ranges::count_if(results, [&](const RunResult& run) { return criterion.met(run.measures); });
     row.met.emplace_back(criterion.text(), static_cast<std::size_t>(met));

@@ -221,7 +221,7 @@ TEST(LinkRun, LeavesAWholeFileWhenTheRobotGoesAway) {
   const auto result = run(remote, options);
   ASSERT_TRUE(result) << result.error().text();
   ASSERT_TRUE(result->link_lost);
-  EXPECT_FALSE(result->success);
+  EXPECT_EQ(result->verdict, Verdict::Failed);
   const auto file = RunFile::read(options.run_file);
   ASSERT_TRUE(file) << file.error().text();
   const Sentence& reason = file->outcome->reason;

@@ -42,6 +42,26 @@ Measures on_a_hillside(const char* slope_deg, const char* limit) {
   return result->measures;
 }
 
+TEST(ARun, IsJudgedByTheCriteriaOfItsExperimentOrNotAtAll) {
+  Problems problems;
+  auto prepared =
+      prepare(std::filesystem::path(GANGLION_SOURCE_DIR) / "experiments/nimrod", {{"run.duration_s", "1"}}, problems);
+  ASSERT_TRUE(prepared) << problems.text();
+  const auto verdict = [&](std::vector<Criterion> success, bool stopped = false) {
+    prepared->experiment.success = std::move(success);
+    RunOptions options;
+    options.stop = [stopped] { return stopped; };
+    const auto result = run(*prepared, options);
+    EXPECT_TRUE(result) << result.error().text();
+    return result->verdict;
+  };
+  const Criterion met = *parse_criterion("duration_s >= 1"), missed = *parse_criterion("duration_s > 100");
+  EXPECT_EQ(verdict({}), Verdict::NotJudged);
+  EXPECT_EQ(verdict({met}), Verdict::Succeeded);
+  EXPECT_EQ(verdict({met, missed}), Verdict::Failed);
+  EXPECT_EQ(verdict({}, true), Verdict::Failed);  // interrupted
+}
+
 TEST(RobotMeasures, TellForHowLongTheRobotLayOnItsSide) {
   const Measures measures = on_a_hillside("30", "tip_deg");
   EXPECT_NEAR(value_of(measures, "tipped_s"), 20, 1e-9);  // from the first moment

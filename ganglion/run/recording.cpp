@@ -111,7 +111,7 @@ Result<Recording> Recording::start(const Prepared& prepared, const RunOptions& o
 Result<void> Recording::finish(RunResult& result) {
   if (!recorder_) return {};
   result.files.push_back(file_.string());
-  return recorder_->finish({result.digest, result.success, result.reason, criterion_, result.measures,
+  return recorder_->finish({result.digest, result.verdict, result.reason, criterion_, result.measures,
                             result.component_digests, result.interventions});
 }
 

@@ -206,13 +206,14 @@ class StopRules {
 };
 
 void judge(const Experiment& experiment, RunResult& result) {
-  result.success = result.reason.en != kInterrupted.in(Language::English) && !result.link_lost;
+  const bool whole = result.reason.en != kInterrupted.in(Language::English) && !result.link_lost;
+  result.verdict = !whole ? Verdict::Failed : experiment.success.empty() ? Verdict::NotJudged : Verdict::Succeeded;
   if (result.interventions > 0) {
     result.reason += say({"; interventions: {}", "; intervenciones: {}"}, result.interventions);
   }
   for (const Criterion& criterion : experiment.success) {
     if (criterion.met(result.measures)) continue;
-    result.success = false;
+    result.verdict = Verdict::Failed;
     const double found = measure(result.measures, criterion.name);
     const Sentence about = std::isnan(found) ? say({"not available", "no disponible"})
                                              : say({"{:.4g}", "{:.4g}"}, found);  // the measures have all digits

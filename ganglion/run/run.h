@@ -45,8 +45,8 @@ struct Contacts {
 /// What came of one run.
 struct RunResult {
   std::uint64_t seed = 0;
-  bool success = false;  ///< Never of a run that was interrupted.
-  Sentence reason;       ///< "duration over", and the criteria that were not met.
+  Verdict verdict = Verdict::NotJudged;  ///< NotJudged without criteria; Failed where it was interrupted.
+  Sentence reason;                       ///< "duration over", and the criteria that were not met.
   std::string digest;
   /// Of each component alone, "robot0/escape", and of each robot's way, "robot0/@truth"; of the first kDigestedRobots.
   std::vector<std::pair<std::string, std::string>> component_digests;

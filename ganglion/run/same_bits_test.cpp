@@ -59,7 +59,7 @@ std::vector<std::string> digests(const Prepared& prepared, std::uint64_t last_se
 TEST(TheYard, IsCrossedWithAllSensorsOnAndRepeats) {
   const Prepared yard = prepared(kExperiments / "yard", {});
   const RunResult first = result_of(yard, 1), again = result_of(yard, 1), other = result_of(yard, 2);
-  EXPECT_TRUE(first.success) << first.reason.en;
+  EXPECT_EQ(first.verdict, Verdict::Succeeded) << first.reason.en;
   EXPECT_EQ(components(first), components(again));
   EXPECT_NE(first.digest, other.digest);
   const RunResult weak = result_of(prepared(kExperiments / "yard", {set("application.robot.body.climb_deg", "6")}), 1);

@@ -35,6 +35,17 @@ call(1 run experiments/nimrod --seed 1 --set run.duration_s=20 --json --no-recor
      --set application.robot.sensor.sonar_left.fault=dead --set application.robot.sensor.sonar_right.fault=dead)
 expect("${out}" "not met: progress_m >= 0.1 \\(0")
 
+# Without a criterion of success nobody judges: no failure, and no success either.
+call(0 run experiments/nimrod --seed 1 --set run.duration_s=1 --set "success=[]" --json --no-record)
+expect("${out}" "\"success\": null")
+file(WRITE ${WORK}/free.json "${out}")
+call(0 runs compare ${WORK}/free.json --out ${WORK}/free.html)
+expect("${out}" "free +1 +- +-\n")
+call(0 run experiments/nimrod --seed 1 --set run.duration_s=1 --set "success=[]" --no-report --out ${WORK}/free)
+expect("${out}" "\nnot judged: the experiment has no criterion of success\n")
+call(0 runs list ${WORK}/free)
+expect("${out}" " not judged ")
+
 # One run has values, several have quartiles.
 call(1 run experiments/nimrod --seed 1 --set run.duration_s=1 --no-record --no-report)
 expect("${out}" "\nmeasure +value\nduration_s +1\n")

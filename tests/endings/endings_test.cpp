@@ -28,7 +28,7 @@ class Endings : public FolderTest {
     ASSERT_TRUE(run) << run.error().text();
     ASSERT_TRUE(run->outcome);
     EXPECT_TRUE(run->outcome->reason.en.starts_with("interrupted")) << run->outcome->reason.en;
-    EXPECT_FALSE(run->outcome->success);
+    EXPECT_EQ(run->outcome->verdict, Verdict::Failed);
     EXPECT_EQ(run->outcome->digest.size(), 16u);
     ASSERT_FALSE(run->tables.empty());
     EXPECT_GE(run->tables.front().rows(), 1u);

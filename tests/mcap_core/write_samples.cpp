@@ -34,7 +34,8 @@ Result<void> write_full_run(const std::filesystem::path& path) {
     if (tick % 4 == 0) recorder->write_json("/robot0/pose", "foxglove.PoseInFrame", time_s, R"({"frame_id":"world"})");
     if (tick == 500) recorder->write_json("/robot0/map", "foxglove.Grid", time_s, R"({"data":"AAAA"})");
   }
-  return recorder->finish({.digest = "00", .success = true, .reason = {"goal", "meta"}, .measures = {{"time_s", 100}}});
+  return recorder->finish(
+      {.digest = "00", .verdict = Verdict::Succeeded, .reason = {"goal", "meta"}, .measures = {{"time_s", 100}}});
 }
 
 Result<void> write_empty_run(const std::filesystem::path& path) {

@@ -109,7 +109,7 @@ MapFrame map_at(double time_s, double share) {
 
 RunView sample_behaviour_run(int robots, double duration_s) {
   RunView run{.name = "nimrod: round the room", .seed = 7, .duration_s = duration_s, .scene = sample_scene()};
-  run.outcome = RunOutcome{true,
+  run.outcome = RunOutcome{Verdict::Succeeded,
                            {"the course was held for the whole run", "mantuvo el rumbo durante toda la ejecución"},
                            {"min_range_m > 0.02 and contacts <= 20", "min_range_m > 0.02 y contacts <= 20"},
                            "9f3a5c0d11e2b477"};

@@ -10,6 +10,7 @@
 
 #include "ganglion/base/sentence.h"
 #include "ganglion/geometry/pose2.h"
+#include "ganglion/record/run_info.h"
 
 namespace ganglion::plot {
 
@@ -190,7 +191,7 @@ struct Measure {
 };
 
 struct RunOutcome {
-  bool success = false;
+  Verdict verdict = Verdict::NotJudged;
   Sentence reason;     ///< Why it ended, in plain words; no Spanish where the run was recorded in English only.
   Sentence criterion;  ///< What the experiment calls success; may be empty.
   std::string digest;

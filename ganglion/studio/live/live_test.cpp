@@ -7,6 +7,7 @@
 #include "ganglion/base/base64.h"
 #include "ganglion/studio/live/hub.h"
 #include "ganglion/studio/live/messages.h"
+#include "ganglion/studio/live/run_session.h"
 
 namespace ganglion::studio {
 namespace {
@@ -31,6 +32,17 @@ void apply_sample(const std::string& sample, std::vector<std::uint8_t>& cells) {
   for (std::uint32_t i = 0; i < count; ++i) {
     cells.at(at<std::uint32_t>(sample, 60 + 4 * i)) = at<std::uint8_t>(sample, 60 + 4 * count + i);
   }
+}
+
+TEST(OutcomeJson, TellsOfSuccessOnlyWhereSomebodyJudged) {
+  const auto success = [](ganglion::Verdict verdict) {
+    RunResult result;
+    result.verdict = verdict;
+    return outcome_json(result, "")["success"];
+  };
+  EXPECT_TRUE(success(ganglion::Verdict::NotJudged).is_null());
+  EXPECT_EQ(success(ganglion::Verdict::Failed), Json(false));
+  EXPECT_EQ(success(ganglion::Verdict::Succeeded), Json(true));
 }
 
 TEST(GridState, TellsTheWholeAndThenWhatChanged) {

@@ -38,14 +38,16 @@ void tell_error(Json& outcome, const Error& error) {
 }  // namespace
 
 Json outcome_json(const RunResult& result, const std::string& file) {
-  Json outcome = {{"success", result.success},
-                  {"reason", result.reason.en},
-                  {"reason_es", result.reason.es},
-                  {"digest", result.digest},
-                  {"interventions", result.interventions},
-                  {"measures", numbers(result.measures)},
-                  {"file", file},
-                  {"error", nullptr}};
+  Json outcome = {
+      {"success",
+       result.verdict == ganglion::Verdict::NotJudged ? Json() : Json(result.verdict == ganglion::Verdict::Succeeded)},
+      {"reason", result.reason.en},
+      {"reason_es", result.reason.es},
+      {"digest", result.digest},
+      {"interventions", result.interventions},
+      {"measures", numbers(result.measures)},
+      {"file", file},
+      {"error", nullptr}};
   if (result.record_error) tell_error(outcome, *result.record_error);
   return outcome;
 }

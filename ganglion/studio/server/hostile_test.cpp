@@ -157,7 +157,8 @@ TEST_F(Hostile, ReadsOfALyingRunFileWhatItCan) {
     for (std::uint32_t tick = 0; tick < 4; ++tick) {
       recorder->write_row(table, tick, 0.1 * tick, std::vector<double>{0.5 * tick});
     }
-    ASSERT_TRUE(recorder->finish({.digest = "00", .success = true, .reason = {"goal", "meta"}}));
+    ASSERT_TRUE(
+        recorder->finish({.digest = "00", .verdict = ganglion::Verdict::Succeeded, .reason = {"goal", "meta"}}));
   }
   const std::string whole = read_file(file).value();
   ASSERT_EQ(client.post("/api/recording/open", {{"path", "run.mcap"}}).status, 200u);

@@ -134,7 +134,8 @@ export interface RunFile {
   name: string;
   seed: number;
   finished: boolean;
-  success: boolean;
+  /** null: nobody judged. */
+  success: boolean | null;
   reason: string;
   digest: string;
   controller_hash: string;
@@ -164,7 +165,8 @@ export interface Files {
 }
 
 export interface Outcome {
-  success: boolean;
+  /** null: nobody judged, for want of a criterion of success. */
+  success: boolean | null;
   reason: string;
   reason_es: string;
   digest: string;

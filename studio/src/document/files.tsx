@@ -28,15 +28,20 @@ export function useFiles(): Files | null {
   return files;
 }
 
+function outcomeOf(run: RunFile, words: ReturnType<typeof useText>['files']): string {
+  if (!run.finished) return words.cut;
+  if (run.success === null) return words.not_judged;
+  return run.success ? words.succeeded : words.failed;
+}
+
 function RunLine({ run }: { run: RunFile }) {
   const text = useText();
-  const outcome = !run.finished ? text.files.cut : run.success ? text.files.succeeded : text.files.failed;
   const open = () => openRecording(run.path).then(() => show('world'), complain);
   return (
     <li className="run-line">
       <button type="button" aria-label={`${text.files.open_run}: ${run.path}`} onClick={open}>
         <b>{run.name || run.path}</b> <small>{text.files.seed(run.seed)}</small>
-        <small className={run.success ? 'good' : ''}>{outcome}</small>
+        <small className={run.success ? 'good' : ''}>{outcomeOf(run, text.files)}</small>
       </button>
       <a href={api.reportUrl(run.path)} target="_blank" rel="noreferrer" aria-label={text.files.report_of(run.path)}>
         {text.files.report}

@@ -16,7 +16,7 @@ export function Tour() {
   const step = kTour[at];
   const done = model ? step.done(model) : false;
   const ended = useRun(
-    (run) => step.name === 'run' && run.state?.state === 'done' && run.state.outcome?.success === true,
+    ({ state }) => step.name === 'run' && state?.state === 'done' && !!state.outcome && state.outcome.success !== false,
   );
   useEffect(() => {
     if (done && at + 1 < kTour.length) useWorkbench.setState({ tour: at + 1 });
