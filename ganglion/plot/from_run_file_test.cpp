@@ -36,7 +36,8 @@ constexpr const char* kRun =
 RunFile sample_file() {
   RunFile file;
   file.info = {.name = "nimrod", .seed = 3, .tick_s = 0.1};
-  file.outcome = ganglion::RunOutcome{"abc", true, {"arrived", "llegó"}, "path_m <= 2", {{"path_m", 1.5}}};
+  file.outcome =
+      ganglion::RunOutcome{"abc", Verdict::Succeeded, {"arrived", "llegó"}, "path_m <= 2", {{"path_m", 1.5}}};
   file.tables.push_back({"/robot0/signals",
                          {{"truth.x_m", "m"},
                           {"truth.y_m", "m"},
