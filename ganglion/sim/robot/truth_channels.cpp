@@ -1,5 +1,6 @@
 #include "ganglion/sim/robot/truth_channels.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -10,41 +11,20 @@ struct Channel {
   std::string_view name, unit;
   Text title;
   bool digested;
-  double (*value)(const Truth&);
 };
 
+/// In the order of write_truth().
 constexpr std::array kChannels = {
-    Channel{"x_m", "m", {"position east", "posición al este"}, true, [](const Truth& t) { return t.pose.position.x; }},
-    Channel{
-        "y_m", "m", {"position north", "posición al norte"}, true, [](const Truth& t) { return t.pose.position.y; }},
-    Channel{"yaw_rad", "rad", {"yaw", "rumbo"}, true, [](const Truth& t) { return t.pose.yaw.rad(); }},
-    Channel{"touching",
-            "",
-            {"touching at any moment of the step", "tocando en algún momento del paso"},
-            false,
-            [](const Truth& t) { return t.touched ? 1.0 : 0.0; }},
-    Channel{"energy_J", "J", {"energy taken", "energía consumida"}, true, [](const Truth& t) { return t.energy_J; }},
-    Channel{"travelled_m",
-            "m",
-            {"way of the centre", "camino del centro"},
-            false,
-            [](const Truth& t) { return t.travelled_m; }},
-    Channel{"contacts",
-            "",
-            {"contacts begun", "contactos empezados"},
-            false,
-            [](const Truth& t) { return static_cast<double>(t.contacts); }},
-    Channel{"fastest_contact_mps",
-            "m/s",
-            {"speed of the hardest contact", "velocidad del contacto más fuerte"},
-            false,
-            [](const Truth& t) { return t.fastest_contact_mps; }},
-    Channel{"stalled",
-            "",
-            {"kept from climbing", "sin poder subir"},
-            false,
-            [](const Truth& t) { return t.stalled ? 1.0 : 0.0; }},
-    Channel{"tipped", "", {"fallen over", "volcado"}, false, [](const Truth& t) { return t.tipped ? 1.0 : 0.0; }},
+    Channel{"x_m", "m", {"position east", "posición al este"}, true},
+    Channel{"y_m", "m", {"position north", "posición al norte"}, true},
+    Channel{"yaw_rad", "rad", {"yaw", "rumbo"}, true},
+    Channel{"touching", "", {"touching at any moment of the step", "tocando en algún momento del paso"}, false},
+    Channel{"energy_J", "J", {"energy taken", "energía consumida"}, true},
+    Channel{"travelled_m", "m", {"way of the centre", "camino del centro"}, false},
+    Channel{"contacts", "", {"contacts begun", "contactos empezados"}, false},
+    Channel{"fastest_contact_mps", "m/s", {"speed of the hardest contact", "velocidad del contacto más fuerte"}, false},
+    Channel{"stalled", "", {"kept from climbing", "sin poder subir"}, false},
+    Channel{"tipped", "", {"fallen over", "volcado"}, false},
 };
 
 }  // namespace
@@ -61,7 +41,17 @@ std::span<const TruthChannel> truth_channels() noexcept {
 }
 
 void write_truth(const Truth& truth, std::span<double> row) noexcept {
-  for (std::size_t i = 0; i < kChannels.size(); ++i) row[i] = kChannels[i].value(truth);
+  const std::array<double, kChannels.size()> values = {truth.pose.position.x,
+                                                       truth.pose.position.y,
+                                                       truth.pose.yaw.rad(),
+                                                       truth.touched ? 1.0 : 0.0,
+                                                       truth.energy_J,
+                                                       truth.travelled_m,
+                                                       static_cast<double>(truth.contacts),
+                                                       truth.fastest_contact_mps,
+                                                       truth.stalled ? 1.0 : 0.0,
+                                                       truth.tipped ? 1.0 : 0.0};
+  std::ranges::copy(values, row.begin());
 }
 
 }  // namespace ganglion::sim

@@ -10,7 +10,7 @@ std::span<const double> Witness::truth_of(int robot) const noexcept {
   const auto index = static_cast<std::size_t>(robot);
   if (rows_.size() <= index) rows_.resize(index + 1);
   std::vector<double>& row = rows_[index];
-  row.resize(sim::truth_channels().size());
+  if (row.empty()) row.resize(sim::truth_channels().size());
   write_truth(truth(robot), row);
   return row;
 }
