@@ -19,6 +19,14 @@ class Coordinator : public Component {
                              std::span<double> shares) noexcept = 0;
 };
 
+/// What is commanded where no candidate has a part: nothing, or where all have withdrawn the first one's withdrawal.
+inline Command nobody_acts(std::span<const Command* const> candidates) noexcept {
+  for (const Command* candidate : candidates) {
+    if (candidate->kind != CommandKind::Withdraw) return Command::inactive();
+  }
+  return candidates.empty() ? Command::inactive() : *candidates.front();
+}
+
 using CoordinatorKind = Kind<Coordinator>;
 
 }  // namespace ganglion

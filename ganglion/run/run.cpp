@@ -257,11 +257,11 @@ std::size_t concluded_goals(const Course& course) {
 
 Result<void> try_start(const Prepared& prepared) {
   if (prepared.experiment.link.remote()) return {};
-  RunOptions options;
-  options.seed = prepared.experiment.seed;
-  const auto course = make_course(prepared, options, RunRobots::make(prepared, options));
-  if (!course) return tl::unexpected<Error>(course.error());
-  return {};
+  const auto robots = RunRobots::make(prepared, {});
+  if (!robots) return tl::unexpected<Error>(robots.error());
+  auto faulty = FaultyApplication::make(robots->application(), prepared.experiment.faults, prepared.step_s);
+  if (!faulty) return tl::unexpected<Error>(faulty.error());
+  return (*faulty)->reset(prepared.experiment.seed, 0);
 }
 
 Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {

@@ -64,8 +64,9 @@ struct RunResult {
 /// the experience, the interventions and the seed only; that of an interrupted run also on when it was.
 Result<RunResult> run(const Prepared& prepared, const RunOptions& options);
 
-/// Makes all that a run begins with, with the experiment's own seed, up to its first tick: fails as run() would for what
-/// stands in the files. Robots elsewhere are not asked.
+/// Makes what a run begins with, with the experiment's own seed, up to its first tick: fails as run() would for what
+/// stands in the files. The controller was made once by prepare(), and is not made again for each robot. Robots
+/// elsewhere are not asked.
 Result<void> try_start(const Prepared& prepared);
 
 /// The reason of a run that `progress` or `stop` ended, before the criteria it did not meet.

@@ -22,14 +22,6 @@ constexpr std::array kPorts = {
                    .size = 0},
 };
 
-/// What is commanded when no candidate acts.
-Command nobody(std::span<const Command* const> candidates) noexcept {
-  for (const Command* candidate : candidates) {
-    if (candidate->kind != CommandKind::Withdraw) return Command::inactive();
-  }
-  return candidates.empty() ? Command::inactive() : *candidates.front();
-}
-
 }  // namespace
 
 Result<std::unique_ptr<Coordinator>> Priority::make(const Parameters&) { return std::make_unique<Priority>(); }
@@ -41,7 +33,7 @@ Command Priority::coordinate(const Feedback&, std::span<const Command* const> ca
     shares[i] = 1;
     return *candidates[i];
   }
-  return nobody(candidates);
+  return nobody_acts(candidates);
 }
 
 extern constinit const CoordinatorKind priority_kind{

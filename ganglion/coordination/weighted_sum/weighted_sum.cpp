@@ -45,14 +45,6 @@ constexpr std::array kParameters = {
          .live = true}),
 };
 
-/// What is commanded when no candidate has a part.
-Command nobody(std::span<const Command* const> candidates) noexcept {
-  for (const Command* candidate : candidates) {
-    if (candidate->kind != CommandKind::Withdraw) return Command::inactive();
-  }
-  return candidates.empty() ? Command::inactive() : *candidates.front();
-}
-
 }  // namespace
 
 double WeightedSum::weight(const Feedback& feedback, std::span<const Command* const> candidates,
@@ -77,7 +69,7 @@ Command WeightedSum::coordinate(const Feedback& feedback, std::span<const Comman
     shares[i] = weight;
     sum += weight;
   }
-  if (sum == 0) return nobody(candidates);
+  if (sum == 0) return nobody_acts(candidates);
   blend.kind = CommandKind::Act;
   for (double& value : blend.values) value /= sum;
   for (double& share : shares) share /= sum;
