@@ -9,9 +9,17 @@
 namespace ganglion {
 namespace fs = std::filesystem;
 
+tl::unexpected<Error> too_large(const fs::path& path, std::size_t bytes, std::size_t most_bytes) {
+  return fail_at({path.string()}, ErrorCode::TooLarge,
+                 {"has {} bytes; the limit here is {}", "tiene {} bytes; el límite aquí es {}"}, bytes, most_bytes);
+}
+
 Result<std::string> read_file(const fs::path& path, std::size_t max_bytes) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
+  if (error && status.type() == fs::file_type::none)  // a circle of links, a folder that may not be looked into
+    return fail_at({path.string()}, ErrorCode::Unreadable, {"cannot be read: {}", "no se puede leer: {}"},
+                   error.message());
   if (!fs::exists(status))
     return fail_at({path.string()}, ErrorCode::NotFound, {"there is no such file", "no existe el archivo"});
   if (!fs::is_regular_file(status))
@@ -20,10 +28,7 @@ Result<std::string> read_file(const fs::path& path, std::size_t max_bytes) {
   if (error)
     return fail_at({path.string()}, ErrorCode::Unreadable, {"cannot be read: {}", "no se puede leer: {}"},
                    error.message());
-  if (size > max_bytes) {
-    return fail_at({path.string()}, ErrorCode::TooLarge,
-                   {"has {} bytes; the limit here is {}", "tiene {} bytes; el límite aquí es {}"}, size, max_bytes);
-  }
+  if (size > max_bytes) return too_large(path, size, max_bytes);
   std::ifstream stream(path, std::ios::binary);
   if (!stream) return fail_at({path.string()}, ErrorCode::Unreadable, {"cannot be opened", "no se puede abrir"});
   std::string content(size, '\0');

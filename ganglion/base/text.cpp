@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -109,6 +110,31 @@ std::string printable(std::string_view text, std::size_t most) {
     }
   }
   return cut ? result + "..." : result;
+}
+
+std::size_t letter_bytes(std::string_view text) noexcept {
+  constexpr std::array<unsigned, 5> kLeast = {0, 0, 0x80, 0x800, 0x10000};
+  const auto at = [&](std::size_t n) { return n < text.size() ? static_cast<unsigned char>(text[n]) : 0u; };
+  if (at(0) < 0x80) return 1;
+  const std::size_t bytes = at(0) < 0xE0 ? 2 : at(0) < 0xF0 ? 3 : 4;
+  unsigned letter = at(0) & (0x7Fu >> bytes);
+  for (std::size_t n = 1; n < bytes; ++n) {
+    if ((at(n) & 0xC0) != 0x80) return 0;
+    letter = letter << 6 | (at(n) & 0x3F);
+  }
+  const bool surrogate = letter >= 0xD800 && letter <= 0xDFFF;
+  const bool good = at(0) >= 0xC0 && at(0) < 0xF8 && letter >= kLeast[bytes] && letter <= 0x10FFFF && !surrogate;
+  return good ? bytes : 0;
+}
+
+std::optional<std::size_t> first_not_utf8(std::string_view text) noexcept {
+  std::size_t at = 0;
+  while (at < text.size()) {
+    const std::size_t bytes = letter_bytes(text.substr(at));
+    if (bytes == 0) return at;
+    at += bytes;
+  }
+  return std::nullopt;
 }
 
 std::string_view trimmed(std::string_view text) noexcept {

@@ -35,6 +35,12 @@ std::vector<std::string> split(std::string_view text, char separator);
 /// The same for a terminal: control characters as "\\x1b", and at most `most` bytes of it, then "...".
 std::string printable(std::string_view text, std::size_t most = 2000);
 
+/// Bytes of the letter that a text begins with; 0 = it does not begin with UTF-8. Source: RFC 3629.
+std::size_t letter_bytes(std::string_view text) noexcept;
+
+/// Where a text stops being UTF-8; none if all of it is.
+std::optional<std::size_t> first_not_utf8(std::string_view text) noexcept;
+
 /// Without white space at either end.
 std::string_view trimmed(std::string_view text) noexcept;
 
