@@ -29,7 +29,8 @@ const studio::DocumentPlace& place() {
 
 /// What the page is told of a text: JSON, whatever the text holds.
 Json opened(std::string_view text) {
-  const studio::Drawing drawing = studio::open_drawing(text, place());
+  DiskFiles files;
+  const studio::Drawing drawing = studio::open_drawing(text, place(), files);
   Json model = Json::parse(studio::drawing_json(drawing, text, Language::Spanish), nullptr, false);
   must(model.is_object(), "a model is JSON", std::string(text));
 #ifdef GANGLION_PLANTED_BUG
@@ -41,7 +42,8 @@ Json opened(std::string_view text) {
 
 /// Questions about wires among what is there.
 void ask(std::string_view text, const Json& model) {
-  const studio::Drawing drawing = studio::open_drawing(text, place());
+  DiskFiles files;
+  const studio::Drawing drawing = studio::open_drawing(text, place(), files);
   const Json& components = model["components"];
   if (components.empty() || components.size() > 12) return;
   const std::string first = components.front()["id"], last = components.back()["id"];

@@ -61,9 +61,10 @@ void read_controller_text(std::string_view text, Problems& problems) {
 }
 
 void read(int reader, std::string_view text, Problems& problems) {
+  DiskFiles files;
   switch (reader) {
     case 0:
-      read_experiment(put("experiment.toml", text), {}, problems);
+      read_experiment(files, put("experiment.toml", text), {}, problems);
       break;
     case 1:
       read_controller_text(text, problems);

@@ -24,35 +24,78 @@ void set_number(Table& table, const ParameterDescriptor& descriptor, double numb
                 numbers_text(allowed));
 }
 
-void read(Table& table, const ParameterDescriptor& descriptor, Parameters& into) {
+}  // namespace
+
+/// The file that the key names, else the preset; none where that is no file at all, or it was reported.
+std::optional<FileText> Table::file_text(std::string_view key, const FileText& preset) {
+  const std::string named = text(key, preset.name);
+  const std::string role = fmt::format("{}.{}.{}", list_, context_, key);
+  if (named.empty() && !preset.name.empty()) {
+    problem(key, ErrorCode::BadParameter,
+            {"{} is empty; name a file, or \"{}\"", "{} está vacío; nombre un archivo, o \"{}\""}, key, preset.name);
+  }
+  if (named.empty() || (files_ == nullptr && named == preset.name)) return std::nullopt;
+  if (files_ == nullptr) {
+    problem(key, ErrorCode::Unsupported, {"{}: no file can be read here", "{}: aquí no se puede leer ningún archivo"},
+            key);
+    return std::nullopt;
+  }
+  if (named == preset.name) {
+    const OpenedFile& file = files_->at(files_->builtin(role, named, preset.text, files_->index_of(place(key).file)));
+    return FileText{named, *file.text, ""};
+  }
+  if (named.starts_with(kBuiltin)) {
+    const std::vector<std::string> known(preset.name.empty() ? 0 : 1, preset.name);
+    problem(key, Error{ErrorCode::UnknownKey,
+                       say({"{} = \"{}\" is no text of the program{}", "{} = \"{}\" no es un texto del programa{}"},
+                           key, named, suggestion(named, known)),
+                       {},
+                       {.found = named, .choices = known}});
+    return std::nullopt;
+  }
+  const int index = open(key, role, kMaxFileText);
+  if (index < 0) return std::nullopt;
+  const OpenedFile& file = files_->at(index);
+  const std::optional<std::size_t> broken = first_not_utf8(*file.text);
+  if (!broken) return FileText{named, *file.text, file.resolved.string()};
+  const auto line = std::count(file.text->begin(), file.text->begin() + static_cast<std::ptrdiff_t>(*broken), '\n') + 1;
+  problem(key, ErrorCode::Unsupported,
+          {"{}: \"{}\" is not UTF-8 text: its line {} holds the byte 0x{:02x}",
+           "{}: \"{}\" no es texto UTF-8: su línea {} contiene el byte 0x{:02x}"},
+          key, file.resolved.string(), line, static_cast<unsigned>(static_cast<unsigned char>((*file.text)[*broken])));
+  return std::nullopt;
+}
+
+void Table::read(const ParameterDescriptor& descriptor, Parameters& into) {
   const Range range{descriptor.min, descriptor.max};
   const std::string_view name = descriptor.name;
   const ParameterValue preset = descriptor.preset();
-  const auto number = [&preset] { return std::get<double>(preset); };
+  const auto preset_number = [&preset] { return std::get<double>(preset); };
   switch (descriptor.type) {
     case ParameterType::Real:
-      set_number(table, descriptor, table.number(name, number(), range), into);
+      set_number(*this, descriptor, number(name, preset_number(), range), into);
       break;
     case ParameterType::Integer:
-      set_number(table, descriptor, table.integer(name, static_cast<int>(number()), range), into);
+      set_number(*this, descriptor, integer(name, static_cast<int>(preset_number()), range), into);
       break;
     case ParameterType::Boolean:
-      into.set(name, table.boolean(name, number() != 0) ? 1 : 0);
+      into.set(name, boolean(name, preset_number() != 0) ? 1 : 0);
       break;
     case ParameterType::Choice:
-      into.set(name, table.choice(name, descriptor.choices, static_cast<int>(number())));
+      into.set(name, choice(name, descriptor.choices, static_cast<int>(preset_number())));
       break;
     case ParameterType::Word:
-      into.set_word(name, table.text(name, std::get<std::string>(preset)));
+      into.set_word(name, text(name, std::get<std::string>(preset)));
       break;
     case ParameterType::Reals:
-      into.set_reals(name, table.numbers(name, std::get<std::vector<double>>(preset),
-                                         static_cast<std::size_t>(descriptor.count), range));
+      into.set_reals(name, numbers(name, std::get<std::vector<double>>(preset),
+                                   static_cast<std::size_t>(descriptor.count), range));
+      break;
+    case ParameterType::File:
+      if (auto file = file_text(name, std::get<FileText>(preset))) into.set_file(name, std::move(*file));
       break;
   }
 }
-
-}  // namespace
 
 Parameters Table::parameters(std::span<const ParameterDescriptor> descriptors) {
   Parameters result(descriptors);
@@ -60,7 +103,8 @@ Parameters Table::parameters(std::span<const ParameterDescriptor> descriptors) {
     asks(descriptor.name, {.parameter = &descriptor});
     const bool absent = !has(descriptor.name);
     known(descriptor.name);
-    if (!absent) read(*this, descriptor, result);
+    const bool of_program = descriptor.type == ParameterType::File && outline_ == nullptr;  // the preset counts as read
+    if (!absent || of_program) read(descriptor, result);
   }
   return result;
 }

@@ -39,6 +39,8 @@ Table::Table(Table&& other) noexcept
       context_(std::move(other.context_)),
       problems_(other.problems_),
       outline_(other.outline_),
+      files_(other.files_),
+      list_(std::move(other.list_)),
       known_(std::move(other.known_)),
       finished_(other.finished_),
       mute_(other.mute_) {
@@ -82,7 +84,8 @@ void Table::report(const Place& where, ErrorCode code, Sentence what, Subject su
 
 void Table::problem(std::string_view key, Error error) const {
   if (error.subject.part.empty()) error.subject.part = key;
-  report(place(key), error.code, std::move(error.what), std::move(error.subject));
+  report(error.place.file.empty() ? place(key) : error.place, error.code, std::move(error.what),
+         std::move(error.subject));
 }
 
 void Table::missing(std::string_view key) const {
@@ -225,24 +228,36 @@ std::filesystem::path Table::path(std::string_view key) {
   return std::filesystem::path(found->place().file).parent_path() / written;
 }
 
-std::filesystem::path Table::file(std::string_view key) {
-  std::filesystem::path named = path(key);
-  std::error_code ignored;
-  if (named.empty() || std::filesystem::exists(named, ignored)) return named;
-  report(place(key), ErrorCode::NotFound,
-         say({"{}: there is no file \"{}\"", "{}: no existe el archivo \"{}\""}, key, named.string()),
-         {.part = std::string(key), .found = named.string()});
-  return {};
+int Table::open(std::string_view key, std::string_view role, std::size_t most_bytes) {
+  const std::string named = text(key, "");
+  const Value* found = value_->find(key);
+  if (named.empty() || found == nullptr || files_ == nullptr) return -1;
+  const auto opened = files_->open(role, named, files_->index_of(found->place().file), most_bytes);
+  if (opened) return *opened;
+  const std::string written = path(key).string();
+  const Error& error = opened.error();
+  const Sentence what = error.code == ErrorCode::NotFound
+                            ? say({"{}: there is no file \"{}\"", "{}: no existe el archivo \"{}\""}, key, written)
+                            : say({"{}: \"{}\" {}", "{}: \"{}\" {}"}, key, written, error.what);
+  report(place(key), error.code, what, {.part = std::string(key), .found = written});
+  return -1;
 }
 
 Outline* Table::inside(std::string_view key, Asked::Form form) const {
   return outline_ != nullptr ? &outline_->ask(key, {.form = form}).inside.emplace_back() : nullptr;
 }
 
+Table Table::within(const Value& value, std::string context, std::string_view key, Asked::Form form) const {
+  Table result(value, std::move(context), *problems_, inside(key, form));
+  result.files_ = files_;
+  result.list_ = key;
+  return result;
+}
+
 Table Table::table(std::string_view key) {
   const Value* found = value(key);
-  const std::string inner = context_.empty() ? std::string(key) : fmt::format("{}.{}", context_, key);
-  Table result(found != nullptr ? *found : empty_table(), inner, *problems_, inside(key, Asked::Form::Table));
+  std::string inner = context_.empty() ? std::string(key) : fmt::format("{}.{}", context_, key);
+  Table result = within(found != nullptr ? *found : empty_table(), std::move(inner), key, Asked::Form::Table);
   if (found == nullptr) result.place_ = place_;
   return result;
 }
@@ -251,7 +266,7 @@ std::vector<Table> Table::tables(std::string_view key) {
   const Value* found = value(key);
   std::vector<Table> result;
   if (found == nullptr) {
-    if (outline_ != nullptr) result.emplace_back(empty_table(), context_, *problems_, inside(key, Asked::Form::Tables));
+    if (outline_ != nullptr) result.push_back(within(empty_table(), context_, key, Asked::Form::Tables));
     for (Table& sample : result) sample.mute_ = true;
     return result;
   }
@@ -259,9 +274,7 @@ std::vector<Table> Table::tables(std::string_view key) {
     wrong_type(key, *found, say({"written as [[{}]]", "escrito como [[{}]]"}, key));
     return result;
   }
-  for (const Value& item : *found->array()) {
-    result.emplace_back(item, context_, *problems_, inside(key, Asked::Form::Tables));
-  }
+  for (const Value& item : *found->array()) result.push_back(within(item, context_, key, Asked::Form::Tables));
   return result;
 }
 

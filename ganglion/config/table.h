@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ganglion/base/files.h"
 #include "ganglion/config/outline.h"
 #include "ganglion/config/range.h"
 #include "ganglion/config/value.h"
@@ -26,6 +27,11 @@ class Table {
   Table(Table&&) noexcept;
   Table(const Table&) = delete;
   Table& operator=(const Table&) = delete;
+  /// Who opens the files that are named in it and in the tables inside; must outlive it.
+  Table& opens_by(FileReader* files) noexcept {
+    files_ = files;
+    return *this;
+  }
   ~Table() { finish(); }
 
   bool has(std::string_view key) const;
@@ -53,13 +59,14 @@ class Table {
   std::vector<std::string> texts(std::string_view key);
   /// A path, relative to the folder of the file it stands in; behind --set to the working directory. Empty if absent.
   std::filesystem::path path(std::string_view key);
-  /// The same, of a file that must be there: else NotFound at the key, and empty.
-  std::filesystem::path file(std::string_view key);
+  /// The index of the file it names, opened as path() says; -1 where the key is absent, or the file cannot be read,
+  /// which is reported at the key. Without somebody to open files nothing is opened.
+  int open(std::string_view key, std::string_view role, std::size_t most_bytes);
   /// A table inside; an empty one if absent.
   Table table(std::string_view key);
   /// A list of tables, [[key]]; empty if absent.
   std::vector<Table> tables(std::string_view key);
-  /// Every parameter of a kind.
+  /// Every parameter of a kind. Files are opened as "list.id.parameter".
   Parameters parameters(std::span<const ParameterDescriptor> descriptors);
 
   /// Marks a key as known without reading it.
@@ -81,7 +88,7 @@ class Table {
                const Args&... args) const {
     report(place(key), code, say<Args...>(words, args...), Subject{.part = std::string(key)});
   }
-  /// An error that was worded elsewhere, or that is about another part than the key.
+  /// An error that was worded elsewhere, or that is about another part than the key. One that knows a file keeps its place.
   void problem(std::string_view key, Error error) const;
 
  private:
@@ -90,12 +97,17 @@ class Table {
   void wrong_type(std::string_view key, const Value& found, const Sentence& wanted) const;
   Outline* inside(std::string_view key, Asked::Form form) const;
   double checked(std::string_view key, const Value& found, double preset, const Range& range) const;
+  Table within(const Value& value, std::string context, std::string_view key, Asked::Form form) const;
+  std::optional<FileText> file_text(std::string_view key, const FileText& preset);
+  void read(const ParameterDescriptor& descriptor, Parameters& into);
 
   const Value* value_;
   Place place_;
   std::string context_;
   Problems* problems_;
-  Outline* outline_;  ///< Null: nobody wants one.
+  Outline* outline_;             ///< Null: nobody wants one.
+  FileReader* files_ = nullptr;  ///< Null: nothing is opened.
+  std::string list_;             ///< The key it stands under.
   std::set<std::string, std::less<>> known_;
   bool finished_ = false;
   bool mute_ = false;  ///< Is no table at all, which was reported: nothing in it can be judged.

@@ -13,7 +13,6 @@
 namespace ganglion::config {
 namespace {
 
-constexpr std::size_t kMaxBytes = std::size_t{4} << 20;
 constexpr int kMaxDepth = 64;
 constexpr std::size_t kMaxKeys = 10'000;  // keys are looked for one by one
 
@@ -113,6 +112,8 @@ Result<Value> parse(std::string_view text, const std::string& file_name) {
                    syntax_hint(error.description()));
   }
 }
+
+Result<Value> parse(const OpenedFile& file) { return parse(*file.text, file.resolved.string()); }
 
 Result<Value> load(const std::filesystem::path& path) {
   const auto text = read_file(path, kMaxBytes);

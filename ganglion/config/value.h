@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "ganglion/base/files.h"
 #include "ganglion/base/result.h"
 
 namespace ganglion::config {
@@ -59,6 +60,10 @@ bool equal(const Value& a, const Value& b);
 /// MiB, 64 levels or 10,000 keys in one table. Dates are refused: no file of ours has any.
 Result<Value> parse(std::string_view text, const std::string& file_name);
 Result<Value> load(const std::filesystem::path& path);
+Result<Value> parse(const OpenedFile& file);
+
+/// Largest file of TOML [bytes].
+inline constexpr std::size_t kMaxBytes = std::size_t{4} << 20;
 
 /// What a person gave as `--set path=value`; the value is read as TOML, or as text where it is not TOML.
 struct Override {

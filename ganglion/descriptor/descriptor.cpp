@@ -112,7 +112,7 @@ std::string_view name_of(PortRole role) noexcept {
 }
 
 std::string_view name_of(ParameterType type) noexcept {
-  constexpr std::array<std::string_view, 6> kNames = {"real", "integer", "boolean", "choice", "word", "reals"};
+  constexpr std::array<std::string_view, 7> kNames = {"real", "integer", "boolean", "choice", "word", "reals", "file"};
   return kNames[static_cast<std::size_t>(type)];
 }
 

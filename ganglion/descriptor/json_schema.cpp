@@ -39,6 +39,7 @@ Json type_schema(const ParameterDescriptor& parameter) {
     case ParameterType::Choice:
       return {{"enum", parameter.choices}};
     case ParameterType::Word:
+    case ParameterType::File:
       return {{"type", "string"}};
     case ParameterType::Reals:
       break;
@@ -56,6 +57,7 @@ Json type_schema(const ParameterDescriptor& parameter) {
 Json preset_json(const ParameterDescriptor& parameter) {
   const ParameterValue preset = parameter.preset();
   if (const auto* word = std::get_if<std::string>(&preset)) return *word;
+  if (const auto* file = std::get_if<FileText>(&preset)) return file->name;
   if (const auto* numbers = std::get_if<std::vector<double>>(&preset)) return *numbers;
   const double number = std::get<double>(preset);
   if (parameter.type == ParameterType::Boolean) return number != 0;

@@ -148,6 +148,8 @@ class Page {
         return code_list(parameter.choices);
       case ParameterType::Word:
         return std::string(word({"text", "texto"}));
+      case ParameterType::File:
+        return std::string(word({"file", "archivo"}));
       default:
         break;
     }
@@ -166,6 +168,7 @@ class Page {
   static std::string preset_of(const ParameterDescriptor& parameter) {
     const ParameterValue preset = parameter.preset();
     if (const auto* word = std::get_if<std::string>(&preset)) return fmt::format("`\"{}\"`", *word);
+    if (const auto* file = std::get_if<FileText>(&preset)) return fmt::format("`\"{}\"`", file->name);
     if (const auto* numbers = std::get_if<std::vector<double>>(&preset)) {
       std::vector<std::string> values;
       for (const double value : *numbers) values.push_back(shortest(value));

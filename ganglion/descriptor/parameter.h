@@ -11,16 +11,32 @@
 #include <variant>
 #include <vector>
 
-#include "ganglion/base/sentence.h"
+#include "ganglion/base/result.h"
 #include "ganglion/units/angle.h"
 
 namespace ganglion {
 
-enum class ParameterType { Real, Integer, Boolean, Choice, Word, Reals };
+enum class ParameterType { Real, Integer, Boolean, Choice, Word, Reals, File };
 std::string_view name_of(ParameterType) noexcept;
 
-/// A value: a number (of a Choice its index, of a Boolean 0 or 1; an angle in degrees), a word, or numbers.
-using ParameterValue = std::variant<double, std::string, std::vector<double>>;
+/// Largest file that a parameter may name [bytes].
+inline constexpr std::size_t kMaxFileText = std::size_t{1} << 20;
+
+/// How the names of texts that are part of the program begin: "builtin:wall.fll".
+inline constexpr std::string_view kBuiltin = "builtin:";
+
+/// The text of a file that a parameter names, UTF-8: the loader reads it, the kind opens nothing. A preset is a text of
+/// the program whose name begins with kBuiltin, or none at all: both empty.
+struct FileText {
+  std::string name;   ///< As written in the controller file, whose folder it is relative to.
+  std::string text;   ///< At most kMaxFileText.
+  std::string where;  ///< Where it was found, for messages; "" = under its name.
+  /// Where an error of the kind's own stands in it.
+  Place at(int line, int column = 0) const { return {where.empty() ? name : where, line, column}; }
+};
+
+/// A value: a number (of a Choice its index, of a Boolean 0 or 1; an angle in degrees), a word, numbers, or a file.
+using ParameterValue = std::variant<double, std::string, std::vector<double>, FileText>;
 
 /// What a parameter says of itself. Made by parameter<>(), which ties it to the member of a Config that holds it: type,
 /// default and where a value goes follow from there.
@@ -60,6 +76,8 @@ consteval ParameterType type_for() {
     return ParameterType::Word;
   } else if constexpr (std::is_same_v<T, std::vector<double>>) {
     return ParameterType::Reals;
+  } else if constexpr (std::is_same_v<T, FileText>) {
+    return ParameterType::File;
   } else {
     static_assert(std::is_same_v<T, double> || std::is_same_v<T, Angle>, "a parameter of a type that no file can hold");
     return ParameterType::Real;

@@ -43,6 +43,9 @@ const std::string& Parameters::word(std::string_view name) const {
 std::span<const double> Parameters::reals(std::string_view name) const {
   return std::get<std::vector<double>>(at(name, ParameterType::Reals));
 }
+const FileText& Parameters::file(std::string_view name) const {
+  return std::get<FileText>(at(name, ParameterType::File));
+}
 
 void Parameters::set_value(std::string_view name, ParameterValue value) {
   Value& found = values_[index_of(name)];
@@ -53,5 +56,6 @@ void Parameters::set_value(std::string_view name, ParameterValue value) {
 void Parameters::set(std::string_view name, double value) { set_value(name, value); }
 void Parameters::set_word(std::string_view name, std::string value) { set_value(name, std::move(value)); }
 void Parameters::set_reals(std::string_view name, std::vector<double> values) { set_value(name, std::move(values)); }
+void Parameters::set_file(std::string_view name, FileText file) { set_value(name, std::move(file)); }
 
 }  // namespace ganglion

@@ -24,6 +24,7 @@ class Parameters {
   int choice_index(std::string_view name) const;
   const std::string& word(std::string_view name) const;
   std::span<const double> reals(std::string_view name) const;
+  const FileText& file(std::string_view name) const;
   const ParameterValue& value(std::string_view name) const;
 
   /// Whether it was set: for kinds whose defaults hang together, a device's by its name.
@@ -31,6 +32,7 @@ class Parameters {
   void set(std::string_view name, double value);
   void set_word(std::string_view name, std::string value);
   void set_reals(std::string_view name, std::vector<double> values);
+  void set_file(std::string_view name, FileText file);
 
   std::span<const ParameterDescriptor> descriptors() const noexcept { return descriptors_; }
 

@@ -107,10 +107,10 @@ inline constexpr std::size_t kMaxValues = std::size_t{1} << 20;
 /// 5 deg, and 0 for whole numbers, whose requests take no other, and for every other unit.
 double default_tolerance(const PortDescriptor& port, std::size_t element) noexcept;
 
-/// Reads a controller file. Every problem is reported at its place; the model holds what was understood. `outline`
-/// takes down what was asked.
+/// Reads a controller file. Every problem is reported at its place; the model holds what was understood. `files` opens
+/// what parameters name, without it they may name nothing; `outline` takes down what was asked.
 ControllerModel read_controller(const config::Value& root, const KindList& kinds, Problems& problems,
-                                config::Outline* outline = nullptr);
+                                FileReader* files = nullptr, config::Outline* outline = nullptr);
 
 /// Understands every wire against the robot: dangling ends, shapes, units, second writers, commands that go nowhere.
 void resolve(ControllerModel& model, const RobotDescription& robot, Problems& problems);

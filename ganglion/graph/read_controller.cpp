@@ -209,14 +209,23 @@ void read_tolerance(const Table& table, ComponentModel& component) {
   }
 }
 
+/// The parameter in whose file an error stands, or that it names itself; "id" where it is about all of them.
+std::string part_of(const Error& error, const ComponentModel& component) {
+  if (!error.subject.part.empty() || error.place.file.empty())
+    return error.subject.part.empty() ? "id" : error.subject.part;
+  for (const ParameterDescriptor& parameter : component.parameters.descriptors()) {
+    if (parameter.type != ParameterType::File) continue;
+    if (component.parameters.file(parameter.name).at(0).file == error.place.file) return std::string(parameter.name);
+  }
+  return "id";
+}
+
 /// What a kind says of its parameters taken together: its ports as they shape them, and one is made on trial, so that
 /// nothing is refused later that could be refused here.
 template <class Product>
 void try_kind(std::span<const Kind<Product>* const> kinds, const Table& table, ComponentModel& component) {
   const Kind<Product>& kind = *find_kind(kinds, component.descriptor->name);
-  const auto refuse = [&table](const Error& error) {
-    table.problem(error.subject.part.empty() ? "id" : error.subject.part, error);
-  };
+  const auto refuse = [&](const Error& error) { table.problem(part_of(error, component), error); };
   if (kind.shape != nullptr) {
     auto shaped = kind.shape(component.parameters);
     if (!shaped) return refuse(shaped.error());
@@ -331,9 +340,10 @@ int ControllerModel::find(std::string_view id) const noexcept {
 }
 
 ControllerModel read_controller(const config::Value& value, const KindList& kinds, Problems& problems,
-                                config::Outline* outline) {
+                                FileReader* files, config::Outline* outline) {
   ControllerModel model;
   Table root(value, "", problems, outline);
+  root.opens_by(files);
   config::check_format(root);
   model.name = root.text("name", "");
   model.robot = root.path("robot");

@@ -29,8 +29,8 @@ std::string kind_of(const config::Value& root) {
 }
 
 /// All files are read, and if they are sound a run is begun on trial: what it would be refused for is told now.
-void check_experiment(const fs::path& file, Problems& problems) {
-  const auto prepared = prepare(file, {}, problems);
+void check_experiment(FileReader& files, const fs::path& file, Problems& problems) {
+  const auto prepared = prepare(files, file, {}, problems);
   if (!prepared) return;
   if (const auto started = try_start(*prepared); !started) {
     Error error = started.error();
@@ -39,9 +39,9 @@ void check_experiment(const fs::path& file, Problems& problems) {
   }
 }
 
-void check_world(const fs::path& file, Problems& problems) {
+void check_world(FileReader& files, int file, Problems& problems) {
   const auto before = problems.size();
-  const auto ground = sim::Ground::load(file, problems);
+  const auto ground = sim::Ground::load(files, file, problems);
   if (!ground && problems.size() == before) problems.add(ground.error());
 }
 
@@ -50,24 +50,26 @@ void check_world(const fs::path& file, Problems& problems) {
 std::string check_file(const fs::path& given, Problems& problems) {
   std::error_code ignored;
   const fs::path file = fs::is_directory(given, ignored) ? given / "experiment.toml" : given;
-  if (file.extension() == ".yaml" || file.extension() == ".yml") {
-    check_world(file, problems);
+  DiskFiles files;
+  const auto opened = files.open("", file.string(), -1, config::kMaxBytes);
+  if (opened && (file.extension() == ".yaml" || file.extension() == ".yml")) {
+    check_world(files, *opened, problems);
     return "map";
   }
-  const auto root = config::load(file);
+  const auto root = opened ? config::parse(files.at(*opened)) : tl::unexpected<Error>(opened.error());
   if (!root) {
     problems.add(root.error());
     return "";
   }
   const std::string kind = kind_of(*root);
   if (kind == "experiment") {
-    check_experiment(file, problems);
+    check_experiment(files, file, problems);
   } else if (kind == "controller") {
-    load_controller(file, {}, nullptr, problems);
+    load_controller(files, *opened, {}, nullptr, problems);
   } else if (kind == "robot") {
-    sim::load_description(file, sim_kinds(), {}, problems);
+    sim::load_description(files, *opened, sim_kinds(), {}, problems);
   } else if (kind == "world") {
-    check_world(file, problems);
+    check_world(files, *opened, problems);
   } else {
     problems.add(
         {file.string(), 1, 1}, ErrorCode::Unsupported,

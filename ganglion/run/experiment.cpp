@@ -92,16 +92,36 @@ std::vector<Criterion> read_criteria(Table& table, std::string_view key) {
   return criteria;
 }
 
-/// The file a key names, unless another one takes its place.
-std::filesystem::path read_file_name(Table& table, std::string_view key, const std::filesystem::path& instead) {
-  if (instead.empty()) return table.file(key);
-  table.known(key);
-  return instead;
-}
+/// Opens the files that an experiment names, or those that take their place.
+class NamedFiles {
+ public:
+  NamedFiles(FileReader* files, const ExperimentFiles& instead) : files_(files), instead_(instead) {}
 
-void read_application(Table application, Experiment& experiment, const ExperimentFiles& instead) {
-  experiment.files.robot = read_file_name(application, "robot", instead.robot);
-  experiment.files.world = read_file_name(application, "world", instead.world);
+  int open(Table& table, std::string_view key, std::filesystem::path ExperimentFiles::*which, Experiment& experiment) {
+    const std::filesystem::path& other = instead_.*which;
+    int index = -1;
+    if (other.empty()) {
+      index = table.open(key, key, config::kMaxBytes);
+    } else {
+      table.known(key);
+      if (const auto opened = files_->open(key, other.string(), -1, config::kMaxBytes)) {
+        index = *opened;
+      } else {
+        table.problems().add(opened.error());
+      }
+    }
+    if (index >= 0) experiment.files.*which = files_->at(index).resolved;
+    return index;
+  }
+
+ private:
+  FileReader* files_;
+  const ExperimentFiles& instead_;
+};
+
+void read_application(Table application, Experiment& experiment, NamedFiles& named) {
+  experiment.opened.robot = named.open(application, "robot", &ExperimentFiles::robot, experiment);
+  experiment.opened.world = named.open(application, "world", &ExperimentFiles::world, experiment);
   experiment.robots = application.integer("robots", 1, config::Range{1, 10'000});
   experiment.spawn = read_spawn(application.table("spawn"));
   experiment.link = read_link(application);
@@ -160,14 +180,16 @@ std::vector<Fault> read_faults(Table& root) {
 }
 
 /// The file itself; `table` is its root.
-void read_table(Table table, Experiment& experiment, const ExperimentFiles& instead) {
+void read_table(Table table, Experiment& experiment, FileReader* files, const ExperimentFiles& instead) {
+  table.opens_by(files);
+  NamedFiles named(files, instead);
   config::check_format(table);
   experiment.name = table.text("name", experiment.files.experiment.parent_path().filename().string());
-  experiment.files.controller = read_file_name(table, "controller", instead.controller);
+  experiment.opened.controller = named.open(table, "controller", &ExperimentFiles::controller, experiment);
   if (!table.has("controller") && instead.controller.empty()) table.text("controller");  // reports it missing
   experiment.success = read_criteria(table, "success");
   experiment.faults = read_faults(table);
-  read_application(table.table("application"), experiment, instead);
+  read_application(table.table("application"), experiment, named);
   read_run(table.table("run"), experiment);
 }
 
@@ -178,64 +200,33 @@ Experiment parse_experiment(std::string_view text, const std::string& file_name,
   Experiment experiment;
   experiment.files.experiment = file_name;
   if (const auto root = config::parse(text, file_name)) {
-    read_table(Table(*root, "", problems, outline), experiment, {});
+    read_table(Table(*root, "", problems, outline), experiment, nullptr, {});
   } else {
     problems.add(root.error());
   }
   return experiment;
 }
 
-Experiment read_experiment(const std::filesystem::path& given, const std::vector<Override>& overrides,
-                           Problems& problems, const ExperimentFiles& instead) {
+Experiment read_experiment(FileReader& files, const std::filesystem::path& given,
+                           const std::vector<Override>& overrides, Problems& problems, const ExperimentFiles& instead) {
   Experiment experiment;
   experiment.overrides = overrides;
   std::error_code ignored;
   experiment.files.experiment = std::filesystem::is_directory(given, ignored) ? given / "experiment.toml" : given;
-  auto root = config::load(experiment.files.experiment);
+  const auto file = files.open("experiment", experiment.files.experiment.string(), -1, config::kMaxBytes);
+  auto root = file ? config::parse(files.at(*file)) : tl::unexpected<Error>(file.error());
   if (!root) {
     problems.add(root.error());
     return experiment;
   }
+  experiment.opened.experiment = *file;
   std::vector<Override> own;
   sort_out(overrides, experiment, own);
   for (const Override& override : own) {
     if (auto applied = config::apply(*root, override); !applied) problems.add(applied.error());
   }
-  read_table(Table(*root, "", problems), experiment, instead);
+  read_table(Table(*root, "", problems), experiment, &files, instead);
   return experiment;
-}
-
-namespace {
-
-/// The file that a world names as its map, or a map as its image.
-std::optional<std::filesystem::path> named_by(const std::filesystem::path& file) {
-  if (file.extension() == ".yaml" || file.extension() == ".yml") {
-    const auto text = read_file(file, 1 << 20);
-    for (const std::string& line : text ? split(*text, '\n') : std::vector<std::string>{}) {
-      if (!line.starts_with("image:")) continue;
-      std::string image(trimmed(std::string_view(line).substr(6)));
-      std::erase_if(image, [](char c) { return c == '"' || c == '\''; });
-      return file.parent_path() / image;
-    }
-    return std::nullopt;
-  }
-  const auto root = config::load(file);
-  const config::Value* map = root ? root->find("map") : nullptr;
-  if (map == nullptr || map->string() == nullptr) return std::nullopt;
-  return file.parent_path() / *map->string();
-}
-
-}  // namespace
-
-std::vector<std::filesystem::path> input_files(const ExperimentFiles& files) {
-  std::vector<std::filesystem::path> result = {files.experiment, files.controller, files.robot};
-  std::filesystem::path next = files.world;
-  for (int depth = 0; depth < 3 && !next.empty(); ++depth) {  // world, map, image
-    result.push_back(next);
-    if (next.extension() == ".pgm") break;
-    next = named_by(next).value_or("");
-  }
-  return result;
 }
 
 }  // namespace ganglion

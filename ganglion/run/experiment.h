@@ -38,10 +38,19 @@ struct ExperimentFiles {
   std::filesystem::path world;  ///< Empty: open ground.
 };
 
+/// The same as indices in what opened them; -1 = not named, or not to be read.
+struct OpenedInputs {
+  int experiment = -1;
+  int controller = -1;
+  int robot = -1;
+  int world = -1;
+};
+
 /// What to run and how to judge it: experiment.toml.
 struct Experiment {
   std::string name;
   ExperimentFiles files;
+  OpenedInputs opened;
   int robots = 1;
   SpawnChoice spawn;
   LinkChoice link;
@@ -58,16 +67,14 @@ struct Experiment {
 
 /// Reads an experiment.toml, or the one in a folder, with what --set changes. A path that goes on behind a key that
 /// names a file goes on inside that file: controller.acting.escape.trigger_range_m=0.2. `instead` names files that
-/// count in place of the named ones (for replaying a recorded run). Every problem is reported; the result holds what
+/// count in place of the named ones. The files it names are opened, not yet understood. Every problem is reported; the result holds what
 /// was understood.
-Experiment read_experiment(const std::filesystem::path& path, const std::vector<config::Override>& overrides,
-                           Problems& problems, const ExperimentFiles& instead = {});
+Experiment read_experiment(FileReader& files, const std::filesystem::path& path,
+                           const std::vector<config::Override>& overrides, Problems& problems,
+                           const ExperimentFiles& instead = {});
 
-/// The same from a text, without --set. `outline` takes down what was asked.
+/// The same from a text, without --set and without opening what it names. `outline` takes down what was asked.
 Experiment parse_experiment(std::string_view text, const std::string& file_name, Problems& problems,
                             config::Outline* outline = nullptr);
-
-/// Every file the experiment reads, those named by other files included.
-std::vector<std::filesystem::path> input_files(const ExperimentFiles& files);
 
 }  // namespace ganglion

@@ -1,11 +1,10 @@
 #include "ganglion/run/prepared.h"
 
 #include "ganglion/application/fault/faulty_application.h"
-#include "ganglion/base/file.h"
 #include "ganglion/base/text.h"
-#include "ganglion/graph/digest.h"
 #include "ganglion/graph/order.h"
 #include "ganglion/kinds/kinds.h"
+#include "ganglion/run/inputs.h"
 #include "ganglion/run/measure_list.h"
 #include "ganglion/sim/robot/truth_channels.h"
 #include "ganglion/sim/world/ground_terrain.h"
@@ -13,29 +12,29 @@
 namespace ganglion {
 namespace {
 
-std::string hash_of(const std::filesystem::path& file, const std::vector<config::Override>& overrides) {
-  std::uint64_t hash = 0;
-  if (const auto text = read_file(file)) hash = hash_name(*text);
-  for (const config::Override& override : overrides)
-    hash = combine(hash, hash_name(override.path + "=" + override.value));
-  return hex(hash);
-}
-
-/// The robot a controller was drawn for; empty, and reported, where it names none that is there.
-std::filesystem::path robot_named_by(const config::Value& controller, Problems& problems) {
+/// The robot a controller was drawn for; -1, and reported, where it names none that is there.
+int robot_named_by(const config::Value& controller, FileReader& files, Problems& problems) {
   config::Table table(controller, "", problems);
+  table.opens_by(&files);
   for (const std::string& key : table.keys()) table.known(key);
   if (!table.has("robot")) {
     table.problem("robot", ErrorCode::MissingKey,
                   {"robot is missing: name the robot.toml it is drawn for",
                    "falta robot: nombre el robot.toml para el que está dibujado"});
   }
-  return table.file("robot");
+  return table.open("robot", "robot", config::kMaxBytes);
 }
 
-std::shared_ptr<const sim::RobotModel> load_robot(const Experiment& experiment, Problems& problems) {
-  if (experiment.files.robot.empty()) return nullptr;
-  auto robot = sim::load_robot(experiment.files.robot, sim_kinds(), experiment.robot_overrides, problems);
+/// The experiment names no robot: then it is the one the controller was drawn for.
+void find_robot(FileReader& files, Experiment& experiment, Problems& problems) {
+  const auto root = config::parse(files.at(experiment.opened.controller));
+  if (root) experiment.opened.robot = robot_named_by(*root, files, problems);
+  if (experiment.opened.robot >= 0) experiment.files.robot = files.at(experiment.opened.robot).resolved;
+}
+
+std::shared_ptr<const sim::RobotModel> load_robot(FileReader& files, const Experiment& experiment, Problems& problems) {
+  if (experiment.opened.robot < 0) return nullptr;
+  auto robot = sim::load_robot(files, experiment.opened.robot, sim_kinds(), experiment.robot_overrides, problems);
   if (robot != nullptr && !robot->simulated() && !experiment.link.remote()) {
     problems.add({experiment.files.robot.string(), 1, 1}, ErrorCode::MissingKey,
                  {"describes a robot without [drive]: it cannot be simulated; where is it? Give application.address",
@@ -49,9 +48,9 @@ std::shared_ptr<const sim::Ground> open_ground(Problems& problems) {
   return ground ? std::make_shared<const sim::Ground>(std::move(*ground)) : nullptr;
 }
 
-std::shared_ptr<const sim::Ground> load_ground(const Experiment& experiment, Problems& problems) {
-  if (experiment.files.world.empty()) return open_ground(problems);
-  auto ground = sim::Ground::load(experiment.files.world, problems, experiment.world_overrides);
+std::shared_ptr<const sim::Ground> load_ground(FileReader& files, const Experiment& experiment, Problems& problems) {
+  if (experiment.opened.world < 0) return open_ground(problems);
+  auto ground = sim::Ground::load(files, experiment.opened.world, problems, experiment.world_overrides);
   return ground ? std::make_shared<const sim::Ground>(std::move(*ground)) : nullptr;
 }
 
@@ -127,10 +126,10 @@ sim::SimulationConfig Prepared::simulation(std::shared_ptr<const sim::Ground> on
   return {.ground = std::move(on), .model = robot, .robots = experiment.robots, .spawn = std::move(rule)};
 }
 
-std::optional<ControllerModel> load_controller(const std::filesystem::path& path,
+std::optional<ControllerModel> load_controller(FileReader& files, int controller,
                                                const std::vector<config::Override>& overrides,
                                                const RobotDescription* robot, Problems& problems) {
-  auto root = config::load(path);
+  auto root = config::parse(files.at(controller));
   if (!root) {
     problems.add(root.error());
     return std::nullopt;
@@ -138,12 +137,12 @@ std::optional<ControllerModel> load_controller(const std::filesystem::path& path
   for (const config::Override& override : overrides) {
     if (auto applied = config::apply(*root, override); !applied) problems.add(applied.error());
   }
-  ControllerModel model = read_controller(*root, controller_kinds(), problems);
+  ControllerModel model = read_controller(*root, controller_kinds(), problems, &files);
   std::optional<RobotDescription> own;
   if (robot == nullptr) {
-    const std::filesystem::path named = robot_named_by(*root, problems);
-    if (named.empty()) return std::nullopt;
-    own = sim::load_description(named, sim_kinds(), {}, problems);
+    const int named = robot_named_by(*root, files, problems);
+    if (named < 0) return std::nullopt;
+    own = sim::load_description(files, named, sim_kinds(), {}, problems);
     if (!own) return std::nullopt;
     robot = &*own;
   }
@@ -155,18 +154,23 @@ std::optional<ControllerModel> load_controller(const std::filesystem::path& path
 
 std::optional<Prepared> prepare(const std::filesystem::path& path, const std::vector<config::Override>& overrides,
                                 Problems& problems, const ExperimentFiles& instead) {
+  DiskFiles files;
+  return prepare(files, path, overrides, problems, instead);
+}
+
+std::optional<Prepared> prepare(FileReader& files, const std::filesystem::path& path,
+                                const std::vector<config::Override>& overrides, Problems& problems,
+                                const ExperimentFiles& instead) {
   Prepared prepared;
-  prepared.experiment = read_experiment(path, overrides, problems, instead);
+  prepared.experiment = read_experiment(files, path, overrides, problems, instead);
   Experiment& experiment = prepared.experiment;
-  if (experiment.files.controller.empty()) return std::nullopt;
-  if (experiment.files.robot.empty()) {  // then the robot the controller was drawn for
-    const auto root = config::load(experiment.files.controller);
-    if (root) experiment.files.robot = robot_named_by(*root, problems);
-  }
-  prepared.robot = load_robot(experiment, problems);
+  const OpenedInputs& opened = experiment.opened;
+  if (opened.controller < 0) return std::nullopt;
+  if (opened.robot < 0) find_robot(files, experiment, problems);
+  prepared.robot = load_robot(files, experiment, problems);
   const RobotDescription* description = prepared.robot != nullptr ? &prepared.robot->description : nullptr;
-  auto model = load_controller(experiment.files.controller, experiment.controller_overrides, description, problems);
-  prepared.ground = load_ground(experiment, problems);
+  auto model = load_controller(files, opened.controller, experiment.controller_overrides, description, problems);
+  prepared.ground = load_ground(files, experiment, problems);
   if (experiment.free_ground) prepared.open_ground = open_ground(problems);
   if (description != nullptr) {
     prepared.step_s = model && model->tick_s > 0 ? model->tick_s : description->tick_s;
@@ -179,7 +183,9 @@ std::optional<Prepared> prepare(const std::filesystem::path& path, const std::ve
   prepared.figures = figures_in(prepared.scope());
   check_criteria(prepared, problems);
   if (!problems.empty()) return std::nullopt;
-  prepared.controller_hash = hash_of(experiment.files.controller, experiment.controller_overrides);
+  prepared.controller_hash =
+      controller_hash(files.at(opened.controller), prepared.controller, experiment.controller_overrides);
+  prepared.files.assign(files.opened().begin(), files.opened().end());
   return prepared;
 }
 

@@ -22,7 +22,8 @@ struct Prepared {
   std::shared_ptr<const Terrain> terrain;
   std::vector<MeasuredSignal> signals;  ///< Of the controller.
   std::vector<Figure> figures;          ///< What the run will be measured by.
-  std::string controller_hash;          ///< Of the controller's text and what --set changed in it.
+  std::string controller_hash;          ///< Of the controller's text, the files it names, and what --set changed in it.
+  std::vector<OpenedFile> files;        ///< All that was read: texts of at most 256 MiB, shared by copies.
   /// What can be measured.
   MeasureScope scope() const;
   /// On that ground, started as the experiment says, or at the given poses where there are any.
@@ -30,11 +31,15 @@ struct Prepared {
 };
 
 /// Reads and checks everything; none if there were problems.
+std::optional<Prepared> prepare(FileReader& files, const std::filesystem::path& experiment,
+                                const std::vector<config::Override>& overrides, Problems& problems,
+                                const ExperimentFiles& instead = {});
+/// The same with files of the disk.
 std::optional<Prepared> prepare(const std::filesystem::path& experiment, const std::vector<config::Override>& overrides,
                                 Problems& problems, const ExperimentFiles& instead = {});
 
 /// Reads and checks a controller against the robot its file names, or against `robot`.
-std::optional<ControllerModel> load_controller(const std::filesystem::path& path,
+std::optional<ControllerModel> load_controller(FileReader& files, int controller,
                                                const std::vector<config::Override>& overrides,
                                                const RobotDescription* robot, Problems& problems);
 

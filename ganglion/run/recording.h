@@ -39,14 +39,8 @@ class Recording {
   std::string criterion_;
 };
 
-/// The input files of a recorded run, written below `folder`, and how they were used.
-struct RecordedInputs {
-  ExperimentFiles files;
-  std::vector<config::Override> overrides;
-  std::vector<ModuleExperience> experience;
-};
-/// Fails with Corrupt where the run file lacks them, or would write outside of `folder`.
-Result<RecordedInputs> unpack_inputs(const RunFile& run, const std::filesystem::path& folder);
+/// What the run of the file started from. Fails with Corrupt.
+Result<std::vector<ModuleExperience>> recorded_experience(const RunFile& run);
 
 /// Between what controllers hand over and what the store keeps.
 std::vector<StoredPart> to_parts(const std::vector<ModuleExperience>& experience);

@@ -1,12 +1,11 @@
 #include "ganglion/run/replay.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <limits>
 
 #include "ganglion/base/hash.h"
 #include "ganglion/record/run_file.h"
+#include "ganglion/run/inputs.h"
 #include "ganglion/run/prepared.h"
 #include "ganglion/run/recording.h"
 #include "ganglion/run/run.h"
@@ -16,25 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of its own that goes away with the object.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "ganglion-replay-XXXXXX").string();
-    if (::mkdtemp(name.data()) != nullptr) path_ = name;
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    if (!path_.empty()) fs::remove_all(path_, ignored);
-  }
-  const fs::path& path() const noexcept { return path_; }
-
- private:
-  fs::path path_;
-};
-
 /// Interrupted, cut, or its link was lost: it did not come to an end of its own.
 bool ended_early(const RunFile& run) {
   if (!run.outcome) return true;
@@ -42,64 +22,96 @@ bool ended_early(const RunFile& run) {
   return reason.starts_with(kInterrupted.in(Language::English)) || reason.starts_with(kLinkLost.in(Language::English));
 }
 
-/// Notes the first row and column in which two recordings of one robot differ.
-void compare(const SignalTable& recorded, const SignalTable& repeated, ReplayResult& result) {
-  const std::size_t rows = std::min(recorded.rows(), repeated.rows());
-  for (std::size_t row = 0; row < rows; ++row) {
-    if (result.first_tick && recorded.ticks[row] >= *result.first_tick) return;
-    for (std::size_t column = 0; column < recorded.columns.size(); ++column) {
-      const auto other = repeated.column(recorded.columns[column].name);
-      if (other && canonical_bits(recorded.at(row, column)) == canonical_bits(repeated.at(row, *other))) continue;
-      result.first_tick = recorded.ticks[row];
-      result.signal = recorded.columns[column].name;
-      result.recorded_value = recorded.at(row, column);
-      result.value = other ? repeated.at(row, *other) : std::numeric_limits<double>::quiet_NaN();
+/// Holds what a run tells against what was recorded, row by row, and notes the first tick that differs.
+class RepeatedRows final : public RunSink {
+ public:
+  RepeatedRows(const RunFile& recorded, ReplayResult& result) : recorded_(recorded), result_(result) {}
+
+  int add_table(std::string_view topic, std::span<const SignalColumn> columns) override {
+    Table table{recorded_.table(topic), {}, 0};
+    const auto count = table.recorded != nullptr ? table.recorded->columns.size() : 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto same = std::find_if(columns.begin(), columns.end(), [&](const SignalColumn& column) {
+        return column.name == table.recorded->columns[i].name;
+      });
+      table.now.push_back(static_cast<std::size_t>(same - columns.begin()));
+    }
+    tables_.push_back(std::move(table));
+    return static_cast<int>(tables_.size()) - 1;
+  }
+
+  void write_row(int index, std::uint32_t, double, std::span<const double> values) override {
+    Table& table = tables_[static_cast<std::size_t>(index)];
+    const std::size_t row = table.rows++;
+    if (table.recorded == nullptr || row >= table.recorded->rows() || result_.first_tick) return;
+    for (std::size_t column = 0; column < table.now.size(); ++column) {
+      const double recorded = table.recorded->at(row, column);
+      const bool there = table.now[column] < values.size();
+      const double now = there ? values[table.now[column]] : std::numeric_limits<double>::quiet_NaN();
+      if (there && canonical_bits(recorded) == canonical_bits(now)) continue;
+      note(*table.recorded, row);
+      result_.signal = table.recorded->columns[column].name;
+      result_.recorded_value = recorded;
+      result_.value = now;
       return;
     }
   }
-  if (recorded.rows() > rows && !result.first_tick) result.first_tick = recorded.ticks[rows];
-}
 
-Result<void> compare_files(const RunFile& recorded, const fs::path& repeated_file, ReplayResult& result) {
-  const auto repeated = RunFile::read(repeated_file);
-  if (!repeated) return tl::unexpected<Error>(repeated.error());
-  for (const SignalTable& table : recorded.tables) {
-    if (const SignalTable* other = repeated->table(table.topic)) compare(table, *other, result);
+  void write_json(std::string_view, std::string_view, double, std::string_view) override {}
+
+  /// Rows that were recorded and did not come again differ too.
+  void finish() {
+    for (const Table& table : tables_) {
+      if (table.recorded != nullptr && table.recorded->rows() > table.rows) note(*table.recorded, table.rows);
+    }
   }
-  return {};
-}
+
+ private:
+  struct Table {
+    const SignalTable* recorded = nullptr;
+    std::vector<std::size_t> now;  ///< Where each recorded column stands in a row; past its end = nowhere.
+    std::size_t rows = 0;
+  };
+  void note(const SignalTable& recorded, std::size_t row) {
+    if (!result_.first_tick) result_.first_tick = recorded.ticks[row];
+  }
+
+  const RunFile& recorded_;
+  ReplayResult& result_;
+  std::vector<Table> tables_;
+};
 
 }  // namespace
 
 Result<ReplayResult> replay_run(const fs::path& run_file) {
   const auto recorded = RunFile::read(run_file);
   if (!recorded) return tl::unexpected<Error>(recorded.error());
-  const TemporaryFolder folder;
-  auto inputs = unpack_inputs(*recorded, folder.path());
-  if (!inputs) return tl::unexpected<Error>(inputs.error());
+  auto files = AttachedFiles::of(*recorded);
+  if (!files) return tl::unexpected<Error>(files.error());
+  auto experience = recorded_experience(*recorded);
+  if (!experience) return tl::unexpected<Error>(experience.error());
   Problems problems;
-  const auto prepared = prepare(inputs->files.experiment, inputs->overrides, problems, inputs->files);
+  const auto prepared = prepare(**files, (*files)->experiment(), (*files)->overrides(), problems);
   if (!prepared) return tl::unexpected<Error>(problems.sorted().front());
   RunOptions options;
   options.in_process = true;
   options.seed = recorded->info.seed;
   options.episode = recorded->info.episode;
-  options.experience = std::move(inputs->experience);
+  options.experience = std::move(*experience);
   auto interventions = interventions_of(*recorded);
   if (!interventions) return tl::unexpected<Error>(interventions.error());
   options.interventions = std::move(*interventions);
-  options.run_file = folder.path() / "repeated.mcap";
+  ReplayResult result;
+  RepeatedRows rows_again(*recorded, result);
+  options.watcher = &rows_again;
   if (ended_early(*recorded) && !recorded->tables.empty()) {  // only as far as it goes
     const std::size_t rows = recorded->tables.front().rows();
     options.progress = [rows, done = std::size_t{0}](double) mutable { return ++done < rows; };
   }
   const auto repeated = run(*prepared, options);
   if (!repeated) return tl::unexpected<Error>(repeated.error());
-  ReplayResult result;
+  rows_again.finish();
   result.digest = repeated->digest;
-  if (auto compared = compare_files(*recorded, options.run_file, result); !compared) {
-    return tl::unexpected<Error>(compared.error());
-  }
   result.recorded_digest = recorded->outcome ? recorded->outcome->digest : "";
   const bool digests_equal = !recorded->outcome || result.recorded_digest == result.digest;
   result.same = digests_equal && !result.first_tick;

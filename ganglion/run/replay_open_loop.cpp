@@ -135,12 +135,14 @@ std::string play(Controller& controller, const ControllerModel& model, const Rob
 Result<std::string> replay_open_loop(const std::filesystem::path& path, const std::filesystem::path& inputs,
                                      Problems& problems) {
   const auto bad = [&]() { return tl::unexpected<Error>(problems.sorted().front()); };
-  auto root = config::load(path);
+  DiskFiles files;
+  const auto file = files.open("controller", path.string(), -1, config::kMaxBytes);
+  const auto root = file ? config::parse(files.at(*file)) : tl::unexpected<Error>(file.error());
   if (!root) {
     problems.add(root.error());
     return bad();
   }
-  ControllerModel model = read_controller(*root, controller_kinds(), problems);
+  ControllerModel model = read_controller(*root, controller_kinds(), problems, &files);
   if (model.robot.empty())
     problems.add({path.string(), 1, 1}, ErrorCode::MissingKey, {"robot is missing", "falta robot"});
   if (!problems.empty()) return bad();

@@ -261,7 +261,7 @@ TEST(Schemas, OfControllersHaveTheKeysThatTheReaderAsks) {
   }
   std::list<config::Outline> samples(1);
   Problems problems;
-  read_controller(*config::parse(text, "sample"), controller_kinds(), problems, &samples.front());
+  read_controller(*config::parse(text, "sample"), controller_kinds(), problems, nullptr, &samples.front());
   // Wires are named by the ports; `layout` is the drawing's, the reader lets it stand.
   const auto other = [](const std::string& name) {
     return name.ends_with(".in") || name.find(".in.") != std::string::npos || name == "layout";

@@ -157,11 +157,12 @@ void read_simulated(Table& root, const SimKinds& kinds, RobotModel& model) {
 }
 
 std::shared_ptr<const RobotModel> read_robot(const config::Value& value, const SimKinds& kinds, Problems& problems,
-                                             config::Outline* outline) {
+                                             FileReader* files, config::Outline* outline) {
   const std::size_t before = problems.size();
   auto model = std::make_shared<RobotModel>();
   {
     Table root(value, "", problems, outline);
+    root.opens_by(files);
     check_format(root);
     model->description.name = root.text("name");
     model->description.tick_s = root.number("tick_s", 0.1, Range{1e-3, 60});
@@ -178,9 +179,9 @@ std::shared_ptr<const RobotModel> read_robot(const config::Value& value, const S
 
 }  // namespace
 
-std::shared_ptr<const RobotModel> load_robot(const std::filesystem::path& path, const SimKinds& kinds,
+std::shared_ptr<const RobotModel> load_robot(FileReader& files, int file, const SimKinds& kinds,
                                              std::span<const config::Override> overrides, Problems& problems) {
-  auto value = config::load(path);
+  auto value = config::parse(files.at(file));
   if (!value) {
     problems.add(value.error());
     return nullptr;
@@ -190,8 +191,17 @@ std::shared_ptr<const RobotModel> load_robot(const std::filesystem::path& path, 
     const auto applied = config::apply(*value, override);
     if (!applied) problems.add(applied.error());
   }
-  auto model = read_robot(*value, kinds, problems, nullptr);
+  auto model = read_robot(*value, kinds, problems, &files, nullptr);
   return problems.size() == before ? model : nullptr;
+}
+
+std::shared_ptr<const RobotModel> load_robot(const std::filesystem::path& path, const SimKinds& kinds,
+                                             std::span<const config::Override> overrides, Problems& problems) {
+  DiskFiles files;
+  const auto file = files.open("robot", path.string(), -1, config::kMaxBytes);
+  if (file) return load_robot(files, *file, kinds, overrides, problems);
+  problems.add(file.error());
+  return nullptr;
 }
 
 std::shared_ptr<const RobotModel> parse_robot(std::string_view text, const std::string& file_name,
@@ -201,14 +211,19 @@ std::shared_ptr<const RobotModel> parse_robot(std::string_view text, const std::
     problems.add(value.error());
     return nullptr;
   }
-  return read_robot(*value, kinds, problems, outline);
+  return read_robot(*value, kinds, problems, nullptr, outline);
+}
+
+std::optional<RobotDescription> load_description(FileReader& files, int file, const SimKinds& kinds,
+                                                 std::span<const config::Override> overrides, Problems& problems) {
+  const auto model = load_robot(files, file, kinds, overrides, problems);
+  return model != nullptr ? std::optional(model->description) : std::nullopt;
 }
 
 std::optional<RobotDescription> load_description(const std::filesystem::path& path, const SimKinds& kinds,
                                                  std::span<const config::Override> overrides, Problems& problems) {
   const auto model = load_robot(path, kinds, overrides, problems);
-  if (model == nullptr) return std::nullopt;
-  return model->description;
+  return model != nullptr ? std::optional(model->description) : std::nullopt;
 }
 
 }  // namespace ganglion::sim

@@ -101,6 +101,9 @@ struct RobotModel {
 ///     the command channel as the drive's kind names it; or
 ///   * a bare description of a robot elsewhere: `[[sensation]] name, unit, type, elements, min, max, period_s, x_m,
 ///     y_m, yaw_deg` and `[[command]] name, elements, units, min, max, safe`.
+std::shared_ptr<const RobotModel> load_robot(FileReader& files, int file, const SimKinds& kinds,
+                                             std::span<const config::Override> overrides, Problems& problems);
+/// The same of a file of the disk.
 std::shared_ptr<const RobotModel> load_robot(const std::filesystem::path& path, const SimKinds& kinds,
                                              std::span<const config::Override> overrides, Problems& problems);
 /// The same from a text. `outline` takes down what was asked.
@@ -108,6 +111,8 @@ std::shared_ptr<const RobotModel> parse_robot(std::string_view text, const std::
                                               const SimKinds& kinds, Problems& problems,
                                               config::Outline* outline = nullptr);
 /// Only what a robot.toml of either form describes, to check a controller against.
+std::optional<RobotDescription> load_description(FileReader& files, int file, const SimKinds& kinds,
+                                                 std::span<const config::Override> overrides, Problems& problems);
 std::optional<RobotDescription> load_description(const std::filesystem::path& path, const SimKinds& kinds,
                                                  std::span<const config::Override> overrides, Problems& problems);
 

@@ -83,13 +83,24 @@ tl::unexpected<Error> first_of(const Problems& problems) { return tl::unexpected
 Ground::Ground(GroundPlan plan, const Box2& bounds, SurfaceGrid surfaces)
     : plan_(std::move(plan)), bounds_(bounds), surfaces_(std::move(surfaces)) {}
 
+Result<Ground> Ground::load(FileReader& files, int file, Problems& problems,
+                            std::span<const config::Override> overrides) {
+  return make(load_plan(files, file, overrides, problems), problems);
+}
+
 Result<Ground> Ground::load(const std::filesystem::path& path, Problems& problems,
                             std::span<const config::Override> overrides) {
-  return make(load_plan(path, overrides, problems), problems);
+  DiskFiles files;
+  const auto file = files.open("world", path.string(), -1, config::kMaxBytes);
+  if (file) return load(files, *file, problems, overrides);
+  problems.add(file.error());
+  return first_of(problems);
 }
 
 Result<Ground> Ground::parse(std::string_view text, const std::string& file_name, Problems& problems) {
-  return make(parse_plan(text, file_name, problems), problems);
+  DiskFiles files;
+  const int file = files.hold("world", file_name, std::string(text));
+  return make(load_plan(files, file, {}, problems), problems);
 }
 
 Result<Ground> Ground::make(GroundPlan plan, Problems& problems) {

@@ -21,6 +21,9 @@ namespace ganglion::sim {
 class Ground {
  public:
   /// Reads `world.toml`, or a ROS map `.yaml` as it is. Every problem goes into `problems`; the first is the error.
+  static Result<Ground> load(FileReader& files, int file, Problems& problems,
+                             std::span<const config::Override> overrides = {});
+  /// The same of a file of the disk.
   static Result<Ground> load(const std::filesystem::path& path, Problems& problems,
                              std::span<const config::Override> overrides = {});
   /// The same from a text; paths in it are relative to the folder of `file_name`.

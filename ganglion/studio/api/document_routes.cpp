@@ -3,6 +3,7 @@
 #include "ganglion/studio/document/connect.h"
 #include "ganglion/studio/document/drawing.h"
 #include "ganglion/studio/document/edit.h"
+#include "ganglion/studio/folder/folder_files.h"
 
 namespace ganglion::studio {
 namespace {
@@ -24,7 +25,9 @@ Reply open_document(const Ask& ask, const Folder& folder) {
   const auto place = place_of(ask, folder);
   if (!place) return failure(place.error(), ask.language);
   const std::string text = ask.text("text");
-  return {200, "application/json", "{\"model\":" + drawing_json(open_drawing(text, *place), text, ask.language) + "}"};
+  FolderFiles files(folder);
+  const Drawing drawing = open_drawing(text, *place, files);
+  return {200, "application/json", "{\"model\":" + drawing_json(drawing, text, ask.language) + "}"};
 }
 
 Reply edit_document(const Ask& ask, const Folder& folder) {
@@ -32,7 +35,8 @@ Reply edit_document(const Ask& ask, const Folder& folder) {
   if (!place) return failure(place.error(), ask.language);
   const auto edited = edit(ask.text("text"), ask.body.value("operations", Json()));
   if (!edited) return failure(edited.error(), ask.language, {{"operation", edited.error().place.line}});
-  const std::string model = drawing_json(open_drawing(edited->text, *place), edited->text, ask.language);
+  FolderFiles files(folder);
+  const std::string model = drawing_json(open_drawing(edited->text, *place, files), edited->text, ask.language);
   return {200, "application/json",
           fmt::format("{{\"text\":{},\"ids\":{},\"model\":{}}}", dumped(edited->text), dumped(edited->ids), model)};
 }
@@ -40,7 +44,8 @@ Reply edit_document(const Ask& ask, const Folder& folder) {
 Reply ask_connection(const Ask& ask, const Folder& folder) {
   const auto place = place_of(ask, folder);
   if (!place) return failure(place.error(), ask.language);
-  const Drawing drawing = open_drawing(ask.text("text"), *place);
+  FolderFiles files(folder);
+  const Drawing drawing = open_drawing(ask.text("text"), *place, files);
   const Connection connection = may_connect(drawing, ask.text("from"), ask.text("to"), ask.text("port"));
   return json_reply(connection_json(connection, ask.language));
 }
@@ -48,7 +53,8 @@ Reply ask_connection(const Ask& ask, const Folder& folder) {
 Reply list_targets(const Ask& ask, const Folder& folder) {
   const auto place = place_of(ask, folder);
   if (!place) return failure(place.error(), ask.language);
-  const Drawing drawing = open_drawing(ask.text("text"), *place);
+  FolderFiles files(folder);
+  const Drawing drawing = open_drawing(ask.text("text"), *place, files);
   const bool to = ask.has("to");
   Json list = Json::array();
   const auto all = to ? sources_for(drawing, ask.text("to"), ask.text("port")) : targets_of(drawing, ask.text("from"));

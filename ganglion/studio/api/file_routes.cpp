@@ -72,7 +72,7 @@ void FileRoutes::look_for_changes() {
     auto& known = changed_[name];
     if (!error && known == time) continue;
     known = time;
-    const auto file = path && !error ? folder_.read(name) : Result<OpenedFile>(tl::unexpected<Error>(Error{}));
+    const auto file = path && !error ? folder_.read(name) : Result<StoredText>(tl::unexpected<Error>(Error{}));
     const std::string now = file ? file->hash : "";
     if (now == hash) continue;
     hash = now;

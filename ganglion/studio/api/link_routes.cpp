@@ -21,7 +21,10 @@ Result<LinkCheck::Subject> LinkRoutes::subject_of(const Experiment& experiment, 
   subject.robots = experiment.robots;
   if (experiment.files.robot.empty()) return subject;
   Problems problems;
-  subject.file = sim::load_description(experiment.files.robot, sim_kinds(), experiment.robot_overrides, problems);
+  FolderFiles files(folder_);
+  const auto robot = files.open("robot", experiment.files.robot.string(), -1, config::kMaxBytes);
+  if (!robot) return tl::unexpected<Error>(robot.error());
+  subject.file = sim::load_description(files, *robot, sim_kinds(), experiment.robot_overrides, problems);
   if (!problems.empty()) return tl::unexpected<Error>(problems.sorted().front());
   return subject;
 }

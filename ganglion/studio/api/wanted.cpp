@@ -121,7 +121,7 @@ std::optional<Reply> WantedReader::read_wanted(const Ask& ask, Wanted& wanted) c
 }
 
 /// Nothing is read outside of the folder, and no program started but those the user lists.
-std::optional<Reply> WantedReader::refuse_experiment(const Experiment& experiment, const std::vector<fs::path>& files,
+std::optional<Reply> WantedReader::refuse_experiment(const Experiment& experiment, const FolderFiles& files,
                                                      const Ask& ask) const {
   const LinkChoice& link = experiment.link;
   const bool listed = link.program.empty() || std::any_of(programs_.begin(), programs_.end(),
@@ -132,32 +132,36 @@ std::optional<Reply> WantedReader::refuse_experiment(const Experiment& experimen
       return ask.refuse("Forbidden", allowed.error().what, 403);
     }
   }
-  for (const fs::path& file : files) {
-    if (file.empty() || folder_.holds(file)) continue;
-    return ask.refuse("Outside",
-                      say({"the experiment names a file outside of the studio's folder",
-                           "el experimento nombra un archivo fuera de la carpeta del estudio"}),
-                      403, {{"file", file.filename().string()}});
-  }
-  return std::nullopt;
+  if (files.outside().empty()) return std::nullopt;
+  return ask.refuse("Outside",
+                    say({"the experiment names a file outside of the studio's folder",
+                         "el experimento nombra un archivo fuera de la carpeta del estudio"}),
+                    403, {{"file", files.outside().filename().string()}});
+}
+
+std::optional<Reply> WantedReader::read_through(FolderFiles& files, const Wanted& wanted, const Ask& ask,
+                                                Experiment& experiment) const {
+  Problems problems;
+  experiment = read_experiment(files, wanted.experiment, wanted.overrides, problems, wanted.instead);
+  return refuse_experiment(experiment, files, ask);
 }
 
 std::optional<Reply> WantedReader::read_experiment_of(const Wanted& wanted, const Ask& ask,
                                                       Experiment& experiment) const {
-  Problems problems;
-  experiment = read_experiment(wanted.experiment, wanted.overrides, problems, wanted.instead);
-  const ExperimentFiles& files = experiment.files;
-  return refuse_experiment(experiment, {files.controller, files.robot, files.world}, ask);
+  FolderFiles files(folder_);
+  return read_through(files, wanted, ask, experiment);
 }
 
 std::optional<Reply> WantedReader::prepare_wanted(const Wanted& wanted, const Ask& ask,
                                                   std::optional<Prepared>& prepared) const {
+  FolderFiles files(folder_);
   Experiment named;
-  if (auto refused = read_experiment_of(wanted, ask, named)) return refused;
+  if (auto refused = read_through(files, wanted, ask, named)) return refused;
   Problems problems;
-  prepared = prepare(wanted.experiment, wanted.overrides, problems, wanted.instead);
+  prepared = prepare(files, wanted.experiment, wanted.overrides, problems, wanted.instead);
+  if (auto refused = refuse_experiment(named, files, ask)) return refused;
   if (!prepared) return problems_reply(problems, ask.language);
-  return refuse_experiment(prepared->experiment, input_files(prepared->experiment.files), ask);
+  return std::nullopt;
 }
 
 }  // namespace ganglion::studio

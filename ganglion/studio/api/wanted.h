@@ -10,7 +10,7 @@
 #include "ganglion/run/prepared.h"
 #include "ganglion/studio/api/ask.h"
 #include "ganglion/studio/api/programs.h"
-#include "ganglion/studio/folder/folder.h"
+#include "ganglion/studio/folder/folder_files.h"
 #include "ganglion/studio/live/drawn_file.h"
 
 namespace ganglion::studio {
@@ -48,8 +48,8 @@ class WantedReader {
  private:
   Result<void> read_files(const Ask&, Wanted& wanted) const;
   std::optional<Reply> read_sets(const Ask&, Wanted& wanted) const;
-  std::optional<Reply> refuse_experiment(const Experiment& experiment, const std::vector<std::filesystem::path>& files,
-                                         const Ask&) const;
+  std::optional<Reply> refuse_experiment(const Experiment& experiment, const FolderFiles& files, const Ask&) const;
+  std::optional<Reply> read_through(FolderFiles& files, const Wanted& wanted, const Ask&, Experiment& experiment) const;
 
   const Folder& folder_;
   const std::vector<AllowedProgram>& programs_;

@@ -21,7 +21,7 @@ bool inside(const fs::path& file, const fs::path& folder) {
   return std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first == root.end();
 }
 
-std::optional<RobotDescription> load_robot(const ControllerModel& model, const config::Value& root,
+std::optional<RobotDescription> load_robot(FileReader& files, const ControllerModel& model, const config::Value& root,
                                            const DocumentPlace& place, Problems& problems) {
   const config::Value* named = root.find("robot");
   const Place where = named != nullptr ? named->place() : Place{place.file.string(), 1, 1};
@@ -38,7 +38,12 @@ std::optional<RobotDescription> load_robot(const ControllerModel& model, const c
     return std::nullopt;
   }
   Problems in_robot;
-  auto robot = sim::load_description(model.robot, sim_kinds(), {}, in_robot);
+  std::optional<RobotDescription> robot;
+  if (const auto file = files.open("robot", model.robot.string(), -1, config::kMaxBytes)) {
+    robot = sim::load_description(files, *file, sim_kinds(), {}, in_robot);
+  } else {
+    in_robot.add(file.error());
+  }
   if (!in_robot.empty()) {
     const Error first = in_robot.sorted().front();
     problems.add(where, first.code,
@@ -99,9 +104,22 @@ std::string missing_input(const Error& error) {
   return part.starts_with("in.") ? part : std::string();
 }
 
-void assign(Drawing& drawing, const Problems& problems) {
+/// An error in a file that a parameter names is pointed at where the parameter stands, else where its component does.
+void bring_home(Error& error, const std::map<int, Owner>& owners, const std::string& document) {
+  const std::string file = fs::path(error.place.file).filename().string();
+  error.what = error.place.line > 0 ? say({"{}, line {}: {}", "{}, línea {}: {}"}, file, error.place.line, error.what)
+                                    : say({"{}: {}", "{}: {}"}, file, error.what);
+  error.place = {document};
+  for (const auto& [line, owner] : owners) {
+    const bool here = owner.component == error.subject.component && !owner.component.empty();
+    if (here && (error.place.line == 0 || owner.key == error.subject.part)) error.place.line = line;
+  }
+}
+
+void assign(Drawing& drawing, const Problems& problems, const std::string& document) {
   const std::map<int, Owner> owners = owners_of(drawing);
-  for (const Error& error : problems.sorted()) {
+  for (Error error : problems.sorted()) {
+    if (error.place.file != document) bring_home(error, owners, document);
     DrawingProblem problem{error, "", ""};
     auto found = owners.upper_bound(error.place.line);
     if (error.place.line > 0 && found != owners.begin()) {
@@ -116,25 +134,30 @@ void assign(Drawing& drawing, const Problems& problems) {
 
 }  // namespace
 
-Drawing open_drawing(std::string_view text, const DocumentPlace& place) {
+Drawing open_drawing(std::string_view text, const DocumentPlace& place, FileReader& files) {
+  return open_drawing(text, place, files, controller_kinds());
+}
+
+Drawing open_drawing(std::string_view text, const DocumentPlace& place, FileReader& files, const KindList& kinds) {
   Drawing drawing;
   drawing.map = config::map_source(text);
   drawing.sources = config::items_of(drawing.map, text, kComponentLists);
   Problems problems;
   const config::Value root = config::parse_tolerantly(text, drawing.map, place.file.string(), problems);
-  drawing.unresolved = read_controller(root, controller_kinds(), problems);
+  files.hold("controller", place.file, std::string(text));
+  drawing.unresolved = read_controller(root, kinds, problems, &files);
   read_layout(root, drawing);
   std::error_code error;
   if (!drawing.unresolved.robot.empty() && inside(drawing.unresolved.robot, place.folder)) {
     drawing.robot_path = fs::relative(drawing.unresolved.robot, place.folder, error);
   }
-  drawing.robot = load_robot(drawing.unresolved, root, place, problems);
+  drawing.robot = load_robot(files, drawing.unresolved, root, place, problems);
   drawing.model = drawing.unresolved;
   if (drawing.robot) {
     resolve(drawing.model, *drawing.robot, problems);
     order(drawing.model, problems);
   }
-  assign(drawing, problems);
+  assign(drawing, problems, place.file.string());
   return drawing;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ganglion/application/description.h"
+#include "ganglion/base/files.h"
 #include "ganglion/base/sentence.h"
 #include "ganglion/config/source/source_map.h"
 #include "ganglion/graph/model.h"
@@ -39,8 +40,10 @@ struct Drawing {
   std::vector<DrawingProblem> problems;  ///< In the order of the lines.
 };
 
-/// Always opens.
-Drawing open_drawing(std::string_view text, const DocumentPlace& place);
+/// Always opens. `files` reads what the text names.
+Drawing open_drawing(std::string_view text, const DocumentPlace& place, FileReader& files);
+/// The same with other kinds than the program's.
+Drawing open_drawing(std::string_view text, const DocumentPlace& place, FileReader& files, const KindList& kinds);
 
 /// For the page: docs/studio_api.md, Model. Messages in the given language. Written straight into a text: a tree of
 /// values takes longer than all the checks.

@@ -59,6 +59,8 @@ void write_value(JsonText& json, const Parameters& parameters, const ParameterDe
   const ParameterValue& value = parameters.value(parameter.name);
   if (const auto* word = std::get_if<std::string>(&value)) {
     json.value(*word);
+  } else if (const auto* file = std::get_if<FileText>(&value)) {
+    json.value(file->name);
   } else if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
     json.begin_list();
     for (const double number : *numbers) json.value(number);

@@ -16,6 +16,11 @@ using Json = nlohmann::ordered_json;
 const fs::path kExperiments = fs::path(GANGLION_SOURCE_DIR) / "experiments";
 const DocumentPlace kNimrod{kExperiments / "nimrod/controller.toml", kExperiments};
 
+Drawing opened(std::string_view text, const DocumentPlace& place) {
+  DiskFiles files;
+  return open_drawing(text, place, files);
+}
+
 std::string nimrod() { return read_file(kNimrod.file).value(); }
 
 std::string with(std::string text, std::string_view old, std::string_view by) {
@@ -25,7 +30,7 @@ std::string with(std::string text, std::string_view old, std::string_view by) {
 }
 
 Json opened(const std::string& text) {
-  return Json::parse(drawing_json(open_drawing(text, kNimrod), text, Language::English));
+  return Json::parse(drawing_json(opened(text, kNimrod), text, Language::English));
 }
 
 const Json& component(const Json& model, const std::string& id) {
@@ -40,7 +45,7 @@ const Json& component(const Json& model, const std::string& id) {
 TEST(Drawing, OpensEveryControllerThatIsShippedWithoutProblems) {
   for (const auto& entry : fs::recursive_directory_iterator(kExperiments)) {
     if (!entry.path().filename().string().starts_with("controller")) continue;
-    const Drawing drawing = open_drawing(read_file(entry.path()).value(), {entry.path(), kExperiments});
+    const Drawing drawing = opened(read_file(entry.path()).value(), {entry.path(), kExperiments});
     EXPECT_TRUE(drawing.problems.empty()) << entry.path() << drawing.problems.front().error.what.en;
   }
 }
@@ -116,12 +121,12 @@ TEST(Drawing, TakesThePositionsOfTheLayout) {
 
 TEST(Connect, MayWhatTheChecksAllow) {
   const std::string text = with(nimrod(), "in.heading = \"heading\"\nin.side", "in.side");
-  const Drawing drawing = open_drawing(text, kNimrod);
+  const Drawing drawing = opened(text, kNimrod);
   EXPECT_TRUE(may_connect(drawing, "heading", "escape", "heading").reasons.empty());
 }
 
 TEST(Connect, SaysWhyNot) {
-  const Drawing drawing = open_drawing(nimrod(), kNimrod);
+  const Drawing drawing = opened(nimrod(), kNimrod);
   const auto reason = [&](const char* from, const char* id, const char* port) {
     const Connection connection = may_connect(drawing, from, id, port);
     return connection.reasons.empty() ? std::string("none") : connection.reasons.front().en;
@@ -136,7 +141,7 @@ TEST(Connect, RefusesACircle) {
   const std::string text =
       with(nimrod(), "in.left = \"clear_left.range\"\nin.right = \"clear_right.range\"\ntrigger_range_m = 0.40",
            "in.left = \"clear_left.range\"\nin.right = \"clear_right.range\"\nin.escaping = \"escape.active\"");
-  const Drawing drawing = open_drawing(text, kNimrod);
+  const Drawing drawing = opened(text, kNimrod);
   const Connection circle = may_connect(drawing, "avoid.side", "escape", "side");
   ASSERT_FALSE(circle.reasons.empty());
   EXPECT_NE(circle.reasons.front().en.find("circle"), std::string::npos);
@@ -146,7 +151,7 @@ TEST(Connect, RefusesACircle) {
 }
 
 TEST(Connect, TargetsAreWhatEachPortWouldSayByItself) {
-  const Drawing drawing = open_drawing(nimrod(), kNimrod);
+  const Drawing drawing = opened(nimrod(), kNimrod);
   for (const char* from : {"sonar_left", "escape.active", "heading", "hold"}) {
     const auto targets = targets_of(drawing, from);
     EXPECT_GT(targets.size(), 10u);
@@ -159,7 +164,7 @@ TEST(Connect, TargetsAreWhatEachPortWouldSayByItself) {
 
 TEST(Connect, SourcesForAPortHoldTheOnesThatFit) {
   std::vector<std::string> fitting;
-  for (const Connection& one : sources_for(open_drawing(nimrod(), kNimrod), "escape", "left")) {
+  for (const Connection& one : sources_for(opened(nimrod(), kNimrod), "escape", "left")) {
     if (one.reasons.empty()) fitting.push_back(one.from);
   }
   EXPECT_EQ(fitting, (std::vector<std::string>{"sonar_left", "sonar_right", "clear_right.range", "avoid.difference"}));

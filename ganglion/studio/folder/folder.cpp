@@ -110,17 +110,17 @@ void Folder::remove_draft(const fs::path& file) const {
   if (const auto place = seat(draft_of(file))) remove_beneath(root_, *place);
 }
 
-Result<OpenedFile> Folder::read(std::string_view name) const {
+Result<StoredText> Folder::read(std::string_view name) const {
   const auto path = resolve(name);
   if (!path) return tl::unexpected<Error>(path.error());
   auto text = text_of(real_of(*path), kMaxText);
   if (!text) return fail(text.error().code, {"\"{}\" {}", "\"{}\": {}"}, name, text.error().what);
-  OpenedFile file{std::move(*text), "", std::nullopt};
+  StoredText file{std::move(*text), "", std::nullopt};
   file.hash = text_hash(file.text);
   const auto draft = text_of(draft_of(*path), kMaxText + 200);
   if (draft && draft->starts_with(kDraftHead)) {
     const std::size_t end = std::min(draft->find('\n'), draft->size() - 1);
-    file.draft = OpenedFile::Draft{draft->substr(end + 1), draft->substr(kDraftHead.size(), end - kDraftHead.size())};
+    file.draft = StoredText::Draft{draft->substr(end + 1), draft->substr(kDraftHead.size(), end - kDraftHead.size())};
   }
   return file;
 }

@@ -11,7 +11,7 @@
 namespace ganglion::studio {
 
 /// A text of the folder, as it was read.
-struct OpenedFile {
+struct StoredText {
   std::string text;
   std::string hash;
   struct Draft {
@@ -43,7 +43,7 @@ class Folder {
   std::string name_of(const std::filesystem::path& path) const;
 
   /// Texts of at most 4 MiB.
-  Result<OpenedFile> read(std::string_view name) const;
+  Result<StoredText> read(std::string_view name) const;
   /// Writes by renaming, where the file still is what `based_on` says ("" = not there), and removes its draft. Gives
   /// the new hash, or the conflict. Only .toml and .fll files.
   Result<tl::expected<std::string, Conflict>> save(std::string_view name, std::string_view text,

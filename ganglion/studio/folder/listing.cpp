@@ -6,6 +6,7 @@
 #include "ganglion/config/value.h"
 #include "ganglion/record/run_file.h"
 #include "ganglion/run/experiment.h"
+#include "ganglion/studio/folder/folder_files.h"
 
 namespace ganglion::studio {
 namespace {
@@ -77,7 +78,8 @@ Json Listing::read(const fs::path& file, const std::string& name, std::string& l
   Json entry = {{"path", name}, {"name", text_of(*root, "name")}};
   if (list != "experiments") return entry;
   Problems problems;
-  const Experiment experiment = read_experiment(file, {}, problems);
+  FolderFiles files(folder_);
+  const Experiment experiment = read_experiment(files, file, {}, problems);
   const auto inside = [&](const fs::path& path) { return path.empty() ? std::string() : folder_.name_of(path); };
   entry["controller"] = inside(experiment.files.controller);
   entry["robot"] = inside(experiment.files.robot);

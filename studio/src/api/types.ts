@@ -21,7 +21,7 @@ export interface PortDescriptor {
 
 export interface ParameterDescriptor {
   name: string;
-  type: 'real' | 'integer' | 'boolean' | 'choice' | 'word' | 'reals';
+  type: 'real' | 'integer' | 'boolean' | 'choice' | 'word' | 'reals' | 'file';
   unit: string;
   default: Value;
   min?: number;

@@ -5,8 +5,10 @@ import { useText } from '../text/text';
 import { useSettings } from '../theme/settings';
 import { Icon } from '../ui/icons';
 
+const isText = (type: ParameterDescriptor['type']) => type === 'word' || type === 'file';
+
 function parsed(words: string, type: ParameterDescriptor['type']): Value | null {
-  if (type === 'word' || type === 'choice') return words;
+  if (isText(type) || type === 'choice') return words;
   if (type !== 'reals') return numberOf(words);
   const numbers = words
     .split(/[\s;]+/)
@@ -52,7 +54,7 @@ function TextInput({ id, about, given, ...props }: Props & { id: string; about: 
         disabled={props.disabled}
         aria-describedby={about}
         aria-invalid={bad || props.problem !== undefined}
-        inputMode={props.parameter.type === 'word' ? 'text' : 'decimal'}
+        inputMode={isText(props.parameter.type) ? 'text' : 'decimal'}
         onChange={(event) => setWords(event.target.value)}
         onBlur={() => commit(false)}
         onKeyDown={(event) => {

@@ -108,13 +108,15 @@ std::vector<Occupancy> cells_of(const GreyImage& image, const Thresholds& thresh
   return cells;
 }
 
-Result<GreyImage> load_image(const std::filesystem::path& path, const Place& named_at) {
-  const auto bytes = read_file(path);
-  if (!bytes && bytes.error().code == ErrorCode::NotFound) {
+Result<GreyImage> load_image(FileReader& files, int yaml, const std::string& named, const Place& named_at) {
+  const auto file = files.open("image", named, yaml, kMaxFileBytes);
+  if (!file && file.error().code == ErrorCode::NotFound) {
+    const std::filesystem::path path = files.at(yaml).resolved.parent_path() / named;
     return fail_at(named_at, ErrorCode::NotFound, {"there is no picture {}", "no existe la imagen {}"}, path.string());
   }
-  if (!bytes) return tl::unexpected<Error>(bytes.error());
-  return parse_pgm(*bytes, path.string(), kMaxMapCells);
+  if (!file) return tl::unexpected<Error>(file.error());
+  const OpenedFile& image = files.at(*file);
+  return parse_pgm(*image.text, image.resolved.string(), kMaxMapCells);
 }
 
 bool within_limits(const Box2& box) noexcept {
@@ -123,17 +125,16 @@ bool within_limits(const Box2& box) noexcept {
 }
 
 /// None if anything is wrong, which then stands in `problems`.
-std::optional<OccupancyMap> read_map(const std::filesystem::path& yaml_path, Problems& problems) {
+std::optional<OccupancyMap> read_map(FileReader& files, int yaml, Problems& problems) {
   auto keep = [&](const Error& error) {
     problems.add(error);
     return std::nullopt;
   };
-  const auto text = read_file(yaml_path);
-  if (!text) return keep(text.error());
-  auto entries = parse_flat_yaml(*text, yaml_path.string());
+  const std::string name = files.at(yaml).resolved.string();
+  auto entries = parse_flat_yaml(*files.at(yaml).text, name);
   if (!entries) return keep(entries.error());
   const std::size_t before = problems.size();
-  MapFile file(std::move(*entries), yaml_path.string(), problems);
+  MapFile file(std::move(*entries), name, problems);
   const std::string image_name = file.word("image", "");
   const double resolution_m = file.number("resolution", 1e-4, 1000);
   const auto origin = file.numbers("origin", 3, -kMaxCoordinate_m, kMaxCoordinate_m);
@@ -145,7 +146,7 @@ std::optional<OccupancyMap> read_map(const std::filesystem::path& yaml_path, Pro
                file.place("mode")});
   }
   if (problems.size() > before) return std::nullopt;
-  const auto image = load_image(yaml_path.parent_path() / image_name, file.place("image"));
+  const auto image = load_image(files, yaml, image_name, file.place("image"));
   if (!image) return keep(image.error());
   const Pose2 pose{{origin[0], origin[1]}, Angle::from_rad(origin[2]).wrapped()};
   OccupancyMap map(image->columns, image->rows, resolution_m, pose, cells_of(*image, thresholds));
@@ -159,9 +160,17 @@ std::optional<OccupancyMap> read_map(const std::filesystem::path& yaml_path, Pro
 
 }  // namespace
 
-Result<OccupancyMap> OccupancyMap::load(const std::filesystem::path& yaml_path, Problems& problems) {
-  auto map = read_map(yaml_path, problems);
+Result<OccupancyMap> OccupancyMap::load(FileReader& files, int yaml, Problems& problems) {
+  auto map = read_map(files, yaml, problems);
   if (map) return std::move(*map);
+  return tl::unexpected<Error>(problems.sorted().front());
+}
+
+Result<OccupancyMap> OccupancyMap::load(const std::filesystem::path& yaml_path, Problems& problems) {
+  DiskFiles files;
+  const auto yaml = files.open("map", yaml_path.string(), -1, kMaxMapText);
+  if (yaml) return load(files, *yaml, problems);
+  problems.add(yaml.error());
   return tl::unexpected<Error>(problems.sorted().front());
 }
 

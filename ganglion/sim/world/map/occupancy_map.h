@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "ganglion/base/files.h"
 #include "ganglion/base/result.h"
 #include "ganglion/geometry/pose2.h"
 #include "ganglion/sim/world/shape/shape.h"
@@ -13,6 +14,9 @@
 namespace ganglion::sim {
 
 enum class Occupancy : std::uint8_t { Free, Occupied, Unknown };
+
+/// Largest text of a map [bytes].
+inline constexpr std::size_t kMaxMapText = std::size_t{1} << 20;
 
 /// Largest image taken as a map [cells].
 inline constexpr std::size_t kMaxMapCells = std::size_t{64} << 20;
@@ -28,6 +32,8 @@ class OccupancyMap {
   /// Reads the YAML file and the PGM image it names. Every problem goes into `problems`, at its line; the first is the
   /// error: Syntax, MissingKey, BadType, BadParameter, Unsupported (modes other than trinary, other image formats),
   /// TooLarge, NotFound, Corrupt. Keys that we do not know are other programs' and left alone.
+  static Result<OccupancyMap> load(FileReader& files, int yaml, Problems& problems);
+  /// The same of a file of the disk.
   static Result<OccupancyMap> load(const std::filesystem::path& yaml_path, Problems& problems);
 
   int columns() const noexcept { return columns_; }

@@ -184,26 +184,23 @@ void read_spawns(config::Table& root, ItemIds& ids, GroundPlan& plan) {
   }
 }
 
-void read_map(config::Table& root, GroundPlan& plan, Problems& problems) {
-  const auto path = root.path("map");
-  if (path.empty()) return;
-  if (!std::filesystem::exists(path)) {
-    root.problem("map", ErrorCode::NotFound, {"there is no file {}", "no existe el archivo {}"}, path.string());
-  } else if (auto map = OccupancyMap::load(path, problems)) {
-    plan.map = std::move(*map);
-  }
+void read_map(config::Table& root, GroundPlan& plan, FileReader* files, Problems& problems) {
+  const int file = root.open("map", "map", kMaxMapText);
+  if (file < 0) return;
+  if (auto map = OccupancyMap::load(*files, file, problems)) plan.map = std::move(*map);
 }
 
-GroundPlan read_plan(const config::Value& value, Problems& problems, config::Outline* outline) {
+GroundPlan read_plan(const config::Value& value, Problems& problems, FileReader* files, config::Outline* outline) {
   GroundPlan plan;
   config::Table root(value, "", problems, outline);
+  root.opens_by(files);
   check_format(root);
   plan.place = {value.place().file};
   plan.name = root.text("name", "");
   plan.material = read_material(root);
   ItemIds ids;
   plan.area = read_box(root, "area");
-  read_map(root, plan, problems);
+  read_map(root, plan, files, problems);
   read_walls(root, ids, plan);
   read_boxes(root, ids, plan);
   read_discs(root, ids, plan);
@@ -227,10 +224,10 @@ config::Value world_of_map(const std::filesystem::path& path) {
 
 }  // namespace
 
-GroundPlan load_plan(const std::filesystem::path& path, std::span<const config::Override> overrides,
-                     Problems& problems) {
+GroundPlan load_plan(FileReader& files, int file, std::span<const config::Override> overrides, Problems& problems) {
+  const std::filesystem::path path = files.at(file).resolved;
   const bool is_map = path.extension() == ".yaml" || path.extension() == ".yml";
-  Result<config::Value> value = is_map ? Result<config::Value>(world_of_map(path)) : config::load(path);
+  Result<config::Value> value = is_map ? Result<config::Value>(world_of_map(path)) : config::parse(files.at(file));
   if (!value) {
     problems.add(value.error());
     return {};
@@ -238,13 +235,13 @@ GroundPlan load_plan(const std::filesystem::path& path, std::span<const config::
   for (const config::Override& override : overrides) {
     if (auto applied = config::apply(*value, override); !applied) problems.add(applied.error());
   }
-  return read_plan(*value, problems, nullptr);
+  return read_plan(*value, problems, &files, nullptr);
 }
 
 GroundPlan parse_plan(std::string_view text, const std::string& file_name, Problems& problems,
                       config::Outline* outline) {
   const auto value = config::parse(text, file_name);
-  if (value) return read_plan(*value, problems, outline);
+  if (value) return read_plan(*value, problems, nullptr, outline);
   problems.add(value.error());
   return {};
 }

@@ -70,9 +70,8 @@ struct GroundPlan {
 };
 
 /// Reads `world.toml`, or a ROS map `.yaml` as a world of its own. Everything wrong with it goes into `problems`.
-GroundPlan load_plan(const std::filesystem::path& path, std::span<const config::Override> overrides,
-                     Problems& problems);
-/// The same from a text; paths in it are relative to the folder of `file_name`. `outline` takes down what was asked.
+GroundPlan load_plan(FileReader& files, int file, std::span<const config::Override> overrides, Problems& problems);
+/// The same from a text, without its map. `outline` takes down what was asked.
 GroundPlan parse_plan(std::string_view text, const std::string& file_name, Problems& problems,
                       config::Outline* outline = nullptr);
 
