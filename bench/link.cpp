@@ -33,7 +33,7 @@ class IdleRobots final : public Application {
     }
     description_.commands = {{"drive", {{"left"}, {"right"}}}};
   }
-  const RobotDescription& description() const noexcept override { return description_; }
+  const Description& description() const noexcept override { return description_; }
   int robots() const noexcept override { return robots_; }
   Result<void> reset(std::uint64_t, std::uint32_t) override {
     tick_ = 0;
@@ -50,7 +50,7 @@ class IdleRobots final : public Application {
   void step(std::span<const ActFrame>, double) noexcept override { ++tick_; }
 
  private:
-  RobotDescription description_;
+  Description description_;
   int robots_;
   std::uint32_t tick_ = 0;
 };
@@ -79,7 +79,7 @@ class Linked {
  public:
   explicit Linked(int robots, link::Encoding encoding = link::Encoding::Binary)
       : idle_(robots),
-        end_(idle_, nullptr, config()),
+        end_(idle_, config()),
         server_(listening(end_)),
         child_([this] { server_->serve([] { return false; }, {}); }) {
     link::RemoteConfig remote;
@@ -127,7 +127,7 @@ struct Sizes {
 /// Bytes of both frames as they go over TCP.
 Sizes sizes_of(int robots, link::Encoding encoding) {
   IdleRobots idle(robots);
-  link::LinkedRobot robot(idle, nullptr);
+  link::LinkedRobot robot(idle);
   link::wire::Sense sense;
   robot.write(false, sense);
   sense.set_tick(kExchanges / 2);

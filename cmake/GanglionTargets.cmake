@@ -4,7 +4,7 @@
 set(GANGLION_LAYERS
   "base" "math" "units" "geometry" "random"
   "descriptor" "config" "application"
-  "module" "fuzzy" "grid"
+  "module" "fuzzy" "grid" "task"
   "goal|sensing|acting|coordination|sim|plant|measure"
   "graph" "kinds" "link" "record" "experience" "run" "plot" "report" "lab" "firmware" "studio")
 

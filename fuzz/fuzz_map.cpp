@@ -40,7 +40,7 @@ void read_map(std::string_view input) {
   Problems of_ground;
   const auto ground = sim::Ground::load(yaml, of_ground);
   if (!ground) return;
-  const sim::Box2 box = ground->bounds();
+  const Box2 box = ground->bounds();
   const Vector2 middle = (box.lower + box.upper) * 0.5;
   static_cast<void>(ground->cast(middle, {1, 0}, 3));
   static_cast<void>(ground->clearance(middle, 1));

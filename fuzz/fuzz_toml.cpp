@@ -13,8 +13,8 @@ namespace ganglion::fuzz {
 namespace {
 
 /// A robot that most wires of the examples fit.
-const RobotDescription& robot() {
-  static const RobotDescription kRobot = [] {
+const Description& robot() {
+  static const Description kRobot = [] {
     constexpr std::string_view kText =
         "format = 1\nname = \"r\"\ntick_s = 0.1\n[body]\nlength_m = 0.24\nwidth_m = 0.2\n[drive]\nkind = \"Tracked\"\n"
         "[[sensor]]\nid = \"sonar_left\"\nkind = \"Sonar\"\n[[sensor]]\nid = \"sonar_right\"\nkind = \"Sonar\"\n"

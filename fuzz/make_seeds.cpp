@@ -147,7 +147,7 @@ void add(fuzz::Script& script, link::Carrier carrier, std::uint8_t wait, std::st
   while (auto frame = cutter.next()) script.pieces.push_back({std::exchange(wait, 0), std::move(*frame)});
 }
 
-std::vector<ActFrame> commands(std::uint32_t tick, const RobotDescription& robot) {
+std::vector<ActFrame> commands(std::uint32_t tick, const Description& robot) {
   std::vector<ActFrame> act(2, make_act_frame(robot));
   for (ActFrame& frame : act) {
     frame.values = {0.5, -0.25};
@@ -162,7 +162,7 @@ std::vector<ActFrame> commands(std::uint32_t tick, const RobotDescription& robot
 void seed_session(const fs::path& folder, const std::string& name, const fuzz::Dialect& dialect, bool free_running) {
   const link::Carrier carrier = dialect.carrier;
   link::NotebookRobot robot(2);
-  link::RobotEnd end(robot, nullptr, link::robot_config());
+  link::RobotEnd end(robot, link::robot_config());
   link::ControllerEndConfig config{.carrier = carrier, .encoding = dialect.encoding};
   config.pace = free_running ? link::wire::FREE_RUNNING : link::wire::LOCK_STEP;
   link::ControllerEnd controller(config);

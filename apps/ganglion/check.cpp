@@ -11,6 +11,7 @@ Text type_in_words(std::string_view type) noexcept {
   if (type == "experiment") return {"experiment", "experimento"};
   if (type == "controller") return {"controller", "controlador"};
   if (type == "robot") return {"robot", "robot"};
+  if (type == "plant") return {"plant", "planta"};
   if (type == "world") return {"world", "mundo"};
   return {"map", "mapa"};
 }
@@ -30,6 +31,7 @@ void add_check(CLI::App& program, int& code) {
       const std::string what = check_file(file, problems);
       if (problems.size() == before) tell({"{}: {}, no problems", "{}: {}, sin problemas"}, file, type_in_words(what));
     }
+    for (const Problems::Note& one : problems.notes()) note(one.text());
     if (!problems.empty()) code = complain(problems);
   });
 }

@@ -4,10 +4,9 @@
 #include "commands.h"
 #include "ganglion/base/file.h"
 #include "ganglion/graph/schema.h"
+#include "ganglion/kinds/applications.h"
 #include "ganglion/kinds/kinds.h"
 #include "ganglion/run/experiment_schema.h"
-#include "ganglion/sim/robot/robot_schema.h"
-#include "ganglion/sim/world/plan/world_schema.h"
 #include "say.h"
 
 namespace ganglion {
@@ -17,8 +16,9 @@ const std::map<std::string, std::function<std::string()>>& schemas() {
   static const std::map<std::string, std::function<std::string()>> kSchemas = {
       {"controller", [] { return controller_schema(controller_kinds()); }},
       {"experiment", experiment_schema},
-      {"robot", [] { return sim::robot_schema(sim_kinds()); }},
-      {"world", sim::world_schema}};
+      {"robot", [] { return robot_schema(); }},
+      {"plant", plant_schema},
+      {"world", world_schema}};
   return kSchemas;
 }
 

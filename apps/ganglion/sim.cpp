@@ -30,18 +30,18 @@ link::RobotEndConfig config_of(const SimArguments& arguments) {
 }
 
 int serve(const Prepared& prepared, const SimArguments& arguments) {
-  auto robots = RunRobots::simulate(prepared, prepared.ground, {});
+  auto robots = prepared.application->make();
   if (!robots) return complain(robots.error());
   const std::uint64_t seed = arguments.has_seed ? arguments.seed : prepared.experiment.seed;
-  if (auto reset = robots->application().reset(seed, 0); !reset) return complain(reset.error());
+  if (auto reset = (*robots)->reset(seed, 0); !reset) return complain(reset.error());
   const auto address = link::parse_address(arguments.listen);
   if (!address) return complain(address.error());
-  link::RobotEnd end(robots->application(), robots->witness(), config_of(arguments));
+  link::RobotEnd end(**robots, config_of(arguments));
   auto server = link::Server::listen(end, *address);
   if (!server) return complain(server.error());
   catch_interrupts();
   tell({"{} ({} robot{}) listens at {}; end it with ctrl-C", "{} ({} robot{}) escucha en {}; termínelo con ctrl-C"},
-       prepared.robot->description.name, prepared.experiment.robots, prepared.experiment.robots == 1 ? "" : "s",
+       prepared.application->description().name, prepared.experiment.robots, prepared.experiment.robots == 1 ? "" : "s",
        (*server)->address().text);
   std::fflush(stdout);
   (*server)->serve([&] { return interrupted() || (arguments.once && end.sessions_ended() > 0); },

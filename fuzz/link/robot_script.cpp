@@ -21,7 +21,7 @@ constexpr double kAfter_s = 3;
 class Stubborn final : public Application {
  public:
   explicit Stubborn(Application& inner) : inner_(inner) {}
-  const RobotDescription& description() const noexcept override { return inner_.description(); }
+  const Description& description() const noexcept override { return inner_.description(); }
   int robots() const noexcept override { return inner_.robots(); }
   Result<void> reset(std::uint64_t seed, std::uint32_t episode) override {
     kept_.clear();
@@ -56,7 +56,7 @@ class Listening {
         driven_(watched_),
         cutter_(dialect.carrier) {
     must(driven_.reset(1, 0).has_value(), "the first reset succeeds");
-    end_.emplace(driven_, nullptr, config());
+    end_.emplace(driven_, config());
   }
 
   void run() {

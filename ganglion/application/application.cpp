@@ -6,7 +6,12 @@
 
 namespace ganglion {
 
-SenseFrame make_sense_frame(const RobotDescription& description) {
+Result<Intervened> Application::intervene(const Intervention& what) {
+  return fail(ErrorCode::Unsupported, {"\"{}\" cannot be done to {}", "no se puede hacer \"{}\" a {}"}, what.name,
+              description().name);
+}
+
+SenseFrame make_sense_frame(const Description& description) {
   SenseFrame frame;
   frame.values.assign(static_cast<std::size_t>(description.sensation_values()),
                       std::numeric_limits<double>::quiet_NaN());
@@ -14,7 +19,7 @@ SenseFrame make_sense_frame(const RobotDescription& description) {
   return frame;
 }
 
-ActFrame make_act_frame(const RobotDescription& description) {
+ActFrame make_act_frame(const Description& description) {
   ActFrame frame;
   for (const CommandChannel& channel : description.commands) {
     for (const CommandElement& element : channel.elements) frame.values.push_back(element.safe);

@@ -6,6 +6,9 @@
 #include <vector>
 
 #include "ganglion/application/description.h"
+#include "ganglion/application/intervention.h"
+#include "ganglion/application/terrain.h"
+#include "ganglion/application/witness.h"
 #include "ganglion/base/result.h"
 
 namespace ganglion {
@@ -41,7 +44,7 @@ struct ActFrame {
 class Application {
  public:
   virtual ~Application() = default;
-  virtual const RobotDescription& description() const noexcept = 0;
+  virtual const Description& description() const noexcept = 0;
   virtual int robots() const noexcept = 0;
   /// Begins an episode: the same seed and episode give the same bits as in a fresh process.
   virtual Result<void> reset(std::uint64_t seed, std::uint32_t episode) = 0;
@@ -51,12 +54,23 @@ class Application {
   virtual void step(std::span<const ActFrame> frames, double step_s) noexcept = 0;
   /// Why nothing can be sensed and done any more; null while all is well. Looked at between ticks.
   virtual const Error* failure() const noexcept { return nullptr; }
+
+  /// What is known besides the frames; null where nothing is.
+  virtual const Witness* witness() const noexcept { return nullptr; }
+  /// The ground it stands on, with what moves there; null where there is none, or nobody knows it.
+  virtual const Terrain* terrain() const noexcept { return nullptr; }
+  /// What can be done to it from outside.
+  virtual std::span<const InterventionDescriptor> interventions() const noexcept { return {}; }
+  /// Does one of them: after reset(), between ticks. Draws nothing. Fails, and does nothing, with NotFound for an unknown
+  /// robot or subject, Unsupported where it takes no such, BadParameter where it cannot be, TooLarge for too many.
+  /// Takes memory.
+  virtual Result<Intervened> intervene(const Intervention& what);
 };
 
 /// A frame of the described size: no reading yet (NaN), ages infinite.
-SenseFrame make_sense_frame(const RobotDescription& description);
+SenseFrame make_sense_frame(const Description& description);
 /// A frame of the described size: safe values.
-ActFrame make_act_frame(const RobotDescription& description);
+ActFrame make_act_frame(const Description& description);
 
 /// At the boundary between application and controller a number has one spelling, whatever carried it: -0 is 0, and
 /// there is one NaN. So a run over a link has the bits of a run within one program.

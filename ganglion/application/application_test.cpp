@@ -7,14 +7,14 @@
 namespace ganglion {
 namespace {
 
-RobotDescription robot() {
-  RobotDescription robot;
+Description robot() {
+  Description robot;
   robot.sensations = {{"a.range", "m"}, {"b.position", "m", ValueType::Real, {"x", "y", "z"}}, {"c.range", "m"}};
   robot.commands = {{"drive", {{"left"}, {"right", "", -1, 1, 0.25}}}, {"grip", {{"force", "N", 0, 5, 2}}}};
   return robot;
 }
 
-TEST(RobotDescription, LaysValuesOneAfterTheOther) {
+TEST(Description, LaysValuesOneAfterTheOther) {
   EXPECT_EQ(robot().sensation_offset(0), 0);
   EXPECT_EQ(robot().sensation_offset(2), 4);
   EXPECT_EQ(robot().sensation_values(), 5);
@@ -22,8 +22,8 @@ TEST(RobotDescription, LaysValuesOneAfterTheOther) {
   EXPECT_EQ(robot().command_values(), 3);
 }
 
-TEST(RobotDescription, FindsChannelsByName) {
-  const RobotDescription described = robot();
+TEST(Description, FindsChannelsByName) {
+  const Description described = robot();
   EXPECT_EQ(described.sensation("c.range"), &described.sensations[2]);
   EXPECT_EQ(described.sensation("c"), nullptr);
   EXPECT_EQ(described.command("grip"), &described.commands[1]);

@@ -45,6 +45,11 @@ std::string Error::text(Language language) const {
   return printable(where.empty() ? what.in(language) : where + ": " + what.in(language));
 }
 
+Sentence Problems::Note::text() const {
+  const std::string where = place.line > 0 ? fmt::format("{}:{}:{}", place.file, place.line, place.column) : place.file;
+  return say({"{}: note: {}", "{}: nota: {}"}, printable(where), what);
+}
+
 std::vector<Error> Problems::sorted() const {
   auto key = [](const Error& error) {
     return std::tie(error.place.file, error.place.line, error.place.column, error.what.en);

@@ -90,6 +90,17 @@ class Problems {
   void add(Place place, ErrorCode code, Wording<std::type_identity_t<Args>...> words, const Args&... args) {
     add(Error{code, say<Args...>(words, args...), std::move(place)});
   }
+  /// Nothing is wrong, but there is a better way to say it; as many are kept as of problems.
+  void note(Place place, Sentence what) {
+    if (notes_.size() < kMost) notes_.push_back({std::move(place), std::move(what)});
+  }
+  struct Note {
+    Place place;
+    Sentence what;
+    /// "robot.toml:3:1: note: ..."
+    Sentence text() const;
+  };
+  const std::vector<Note>& notes() const noexcept { return notes_; }
   bool empty() const noexcept { return errors_.empty(); }
   std::size_t size() const noexcept { return errors_.size(); }
   /// Later ones are only counted: nobody mends more in one go, and a hostile file has no end of them.
@@ -102,6 +113,7 @@ class Problems {
  private:
   static constexpr std::size_t kMost = 500;
   std::vector<Error> errors_;
+  std::vector<Note> notes_;
   std::size_t untold_ = 0;
 };
 

@@ -88,6 +88,11 @@ class Table {
                const Args&... args) const {
     report(place(key), code, say<Args...>(words, args...), Subject{.part = std::string(key)});
   }
+  /// Nothing is wrong with a key, but there is a better way to say it.
+  template <class... Args>
+  void note(std::string_view key, Wording<std::type_identity_t<Args>...> words, const Args&... args) const {
+    problems_->note(place(key), say<Args...>(words, args...));
+  }
   /// An error that was worded elsewhere, or that is about another part than the key. One that knows a file keeps its place.
   void problem(std::string_view key, Error error) const;
 

@@ -15,7 +15,7 @@ namespace ganglion {
 
 /// What a described kind is part of. The first five are drawn in a controller (colours in studio.md); the rest make up
 /// simulated applications.
-enum class ComponentClass { Sensation, Sensing, Goal, Acting, Coordinator, Sensor, Drive, Plant, Measure };
+enum class ComponentClass { Sensation, Sensing, Goal, Acting, Coordinator, Sensor, Drive, Plant, Task, Measure };
 
 /// The class as written in files and JSON: "sensation", "sensing", "goal", "acting", "coordinator", "sensor"...
 std::string_view name_of(ComponentClass) noexcept;

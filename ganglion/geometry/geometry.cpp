@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <limits>
 
+#include "ganglion/geometry/box2.h"
 #include "ganglion/geometry/pose2.h"
 #include "ganglion/geometry/vector2.h"
 #include "ganglion/math/functions.h"
@@ -33,5 +35,15 @@ Vector2 Pose2::to_local(Vector2 outer) const noexcept {
 }
 
 Pose2 Pose2::then(const Pose2& local) const noexcept { return {to_outer(local.position), (yaw + local.yaw).wrapped()}; }
+
+void Box2::include(Vector2 point) noexcept {
+  lower = {std::min(lower.x, point.x), std::min(lower.y, point.y)};
+  upper = {std::max(upper.x, point.x), std::max(upper.y, point.y)};
+}
+
+Box2 empty_box() noexcept {
+  constexpr double kInf = std::numeric_limits<double>::infinity();
+  return {{kInf, kInf}, {-kInf, -kInf}};
+}
 
 }  // namespace ganglion

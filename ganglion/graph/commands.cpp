@@ -8,7 +8,7 @@
 namespace ganglion {
 namespace {
 
-std::vector<std::string> command_names(const RobotDescription& robot) {
+std::vector<std::string> command_names(const Description& robot) {
   std::vector<std::string> names;
   for (const CommandChannel& channel : robot.commands) names.push_back(channel.name);
   return names;
@@ -114,7 +114,7 @@ struct End {
   const CommandChannel* channel = nullptr;  ///< The robot's, where it ends there.
 };
 
-End end_of(const ControllerModel& model, const RobotDescription& robot, const Takers& takers, std::size_t start) {
+End end_of(const ControllerModel& model, const Description& robot, const Takers& takers, std::size_t start) {
   std::size_t at = start;
   for (std::size_t hops = 0; takers.by[at] >= 0 && hops < model.components.size(); ++hops) {
     at = static_cast<std::size_t>(takers.by[at]);
@@ -142,8 +142,7 @@ void check_order(const ComponentModel& component, const End& end, Problems& prob
   }
 }
 
-void check_widths(const ControllerModel& model, const RobotDescription& robot, const Takers& takers,
-                  Problems& problems) {
+void check_widths(const ControllerModel& model, const Description& robot, const Takers& takers, Problems& problems) {
   for (std::size_t i = 0; i < model.components.size(); ++i) {
     const ComponentModel& component = model.components[i];
     const int width = makes_commands(component) ? width_of(component, PortRole::Command) : 0;
@@ -172,7 +171,7 @@ void report_wire(Problems& problems, const ComponentModel& component, const Plac
                      place, std::move(subject)});
 }
 
-void bind_commands(ControllerModel& model, const RobotDescription& robot, Problems& problems) {
+void bind_commands(ControllerModel& model, const Description& robot, Problems& problems) {
   for (ComponentModel& component : model.components) {
     if (component.command.empty()) continue;
     const CommandChannel* channel = robot.command(component.command);
@@ -188,7 +187,7 @@ void bind_commands(ControllerModel& model, const RobotDescription& robot, Proble
   }
 }
 
-void check_commands(const ControllerModel& model, const RobotDescription& robot, Problems& problems) {
+void check_commands(const ControllerModel& model, const Description& robot, Problems& problems) {
   const Takers takers = find_takers(model, problems);
   check_widths(model, robot, takers, problems);
   std::map<int, const ComponentModel*> writers;  // of each robot command

@@ -12,9 +12,9 @@ void report_wire(Problems& problems, const ComponentModel& component, const Plac
                  Subject subject = {});
 
 /// Finds the robot's command that each component drives, and holds their elements against each other.
-void bind_commands(ControllerModel& model, const RobotDescription& robot, Problems& problems);
+void bind_commands(ControllerModel& model, const Description& robot, Problems& problems);
 
 /// Of wires that are understood: each command goes to one place, and each command of the robot has one writer.
-void check_commands(const ControllerModel& model, const RobotDescription& robot, Problems& problems);
+void check_commands(const ControllerModel& model, const Description& robot, Problems& problems);
 
 }  // namespace ganglion

@@ -97,8 +97,8 @@ void Compiler::join_digest() {
   controller_.command_digest_ = controller_.digest_.join(identity_.robot, "@commands");
 }
 
-Result<Controller> Controller::compile(const ControllerModel& model, const RobotDescription& robot,
-                                       const KindList& kinds, const Identity& identity) {
+Result<Controller> Controller::compile(const ControllerModel& model, const Description& robot, const KindList& kinds,
+                                       const Identity& identity) {
   return Compiler(model, robot, kinds, identity).run();
 }
 

@@ -9,7 +9,7 @@ namespace ganglion {
 /// Lays a resolved model out as a Controller.
 class Compiler {
  public:
-  Compiler(const ControllerModel& model, const RobotDescription& robot, const KindList& kinds, const Identity& identity)
+  Compiler(const ControllerModel& model, const Description& robot, const KindList& kinds, const Identity& identity)
       : model_(model),
         robot_(robot),
         kinds_(kinds),
@@ -49,7 +49,7 @@ class Compiler {
   Part& part(int index) { return controller_.parts_[static_cast<std::size_t>(index)]; }
 
   const ControllerModel& model_;
-  const RobotDescription& robot_;
+  const Description& robot_;
   const KindList& kinds_;
   Identity identity_;
   Controller controller_;

@@ -17,7 +17,7 @@ struct Origin {
 };
 
 /// What the values of its command are called: as its own port says, or else as the robot's command does.
-std::vector<std::string> command_elements(const ComponentModel& model, const RobotDescription& robot) {
+std::vector<std::string> command_elements(const ComponentModel& model, const Description& robot) {
   std::vector<std::string> names;
   int size = 0;
   for (const PortDescriptor& port : model.ports()) {

@@ -41,7 +41,7 @@ class Controller {
  public:
   /// Compiles a model that read_controller() and resolve() found without problems. Fails where a kind refuses its
   /// parameters or wires run in a circle.
-  static Result<Controller> compile(const ControllerModel& model, const RobotDescription& robot, const KindList& kinds,
+  static Result<Controller> compile(const ControllerModel& model, const Description& robot, const KindList& kinds,
                                     const Identity& identity);
   Controller(Controller&&) noexcept = default;
   Controller& operator=(Controller&&) noexcept = default;

@@ -96,7 +96,7 @@ TEST(Controller, IsRefusedForARobotWhoseLimitsWouldLetNoSafeCommandThrough) {
        {CommandElement{.name = "x", .min = 1, .max = -1, .safe = 0}, CommandElement{.name = "x", .safe = 2},
         CommandElement{.name = "x", .max = infinite, .safe = infinite},
         CommandElement{.name = "x", .min = std::numeric_limits<double>::quiet_NaN()}}) {
-    RobotDescription robot = testing::test_robot();
+    Description robot = testing::test_robot();
     robot.commands[1].elements[0] = bad;
     Problems problems;
     EXPECT_FALSE(testing::compiled("", problems, robot));
@@ -105,7 +105,7 @@ TEST(Controller, IsRefusedForARobotWhoseLimitsWouldLetNoSafeCommandThrough) {
 }
 
 TEST(Controller, IsRefusedWhereItsSignalsAreBeyondAllMeasure) {
-  RobotDescription robot = testing::test_robot();
+  Description robot = testing::test_robot();
   for (int i = 0; i < 300'000; ++i) robot.sensations[3].elements.push_back(std::to_string(i));
   std::string text;
   for (int i = 0; i < 100; ++i) text += fmt::format("[[sensation]]\nid = \"s{}\"\nchannel = \"pair\"\n", i);
@@ -116,7 +116,7 @@ TEST(Controller, IsRefusedWhereItsSignalsAreBeyondAllMeasure) {
 }
 
 TEST(Controller, IsRefusedWhereItsInputsAreBeyondAllMeasure) {
-  RobotDescription robot = testing::test_robot();
+  Description robot = testing::test_robot();
   for (int i = 0; i < 300'000; ++i) robot.sensations[3].elements.push_back(std::to_string(i));
   std::string text = "[[sensation]]\nid = \"s\"\nchannel = \"pair\"\n";
   for (int i = 0; i < 100; ++i) text += wish(fmt::format("g{}", i), "in.wish = \"s\"");

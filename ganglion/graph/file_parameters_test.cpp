@@ -45,7 +45,7 @@ class FileParameters : public FolderTest {
   }
   /// The first value of an output after one tick with a = 3.
   double after_a_tick(ControllerModel model, std::string_view output) {
-    const RobotDescription robot = testing::test_robot();
+    const Description robot = testing::test_robot();
     resolve(model, robot, problems_);
     EXPECT_EQ(problems_.text(), "");
     auto controller = Controller::compile(model, robot, testing::kinds(), {});

@@ -47,7 +47,7 @@ in.in = ["a", "b", "move.x@previous", "sum@previous"]
 )";
 }
 
-void expect_sound(const Rig& rig, const RobotDescription& robot) {
+void expect_sound(const Rig& rig, const Description& robot) {
   std::size_t i = 0;
   for (const CommandChannel& channel : robot.commands) {
     for (const CommandElement& element : channel.elements) {
@@ -61,7 +61,7 @@ void expect_sound(const Rig& rig, const RobotDescription& robot) {
 }
 
 RC_GTEST_PROP(Controller, NeverSendsWhatIsNoNumberOrBeyondLimits, ()) {
-  const RobotDescription robot = testing::test_robot();
+  const Description robot = testing::test_robot();
   Rig rig(everything());
   for (int tick = 0; tick < 20; ++tick) {
     for (double& value : rig.sense.values) value = *any_double();

@@ -113,6 +113,6 @@ ControllerModel read_controller(const config::Value& root, const KindList& kinds
                                 FileReader* files = nullptr, config::Outline* outline = nullptr);
 
 /// Understands every wire against the robot: dangling ends, shapes, units, second writers, commands that go nowhere.
-void resolve(ControllerModel& model, const RobotDescription& robot, Problems& problems);
+void resolve(ControllerModel& model, const Description& robot, Problems& problems);
 
 }  // namespace ganglion

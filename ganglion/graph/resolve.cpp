@@ -11,7 +11,7 @@ namespace {
 /// Finds out what each wire's text means.
 class Resolver {
  public:
-  Resolver(ControllerModel& model, const RobotDescription& robot, Problems& problems)
+  Resolver(ControllerModel& model, const Description& robot, Problems& problems)
       : model_(model), robot_(robot), problems_(problems), hints_(model, robot), ids_(ids_of(model)) {}
 
   void run() {
@@ -64,14 +64,14 @@ class Resolver {
   }
 
   ControllerModel& model_;
-  const RobotDescription& robot_;
+  const Description& robot_;
   Problems& problems_;
   WireHints hints_;
   ComponentIndex ids_;
   Subject subject_;  // of the problems that come next
 };
 
-std::vector<std::string> channel_names(const RobotDescription& robot) {
+std::vector<std::string> channel_names(const Description& robot) {
   std::vector<std::string> names;
   for (const SensationChannel& channel : robot.sensations) names.push_back(channel.name);
   return names;
@@ -384,7 +384,7 @@ void Resolver::check_candidates(const ComponentModel& component) {
 
 }  // namespace
 
-void resolve(ControllerModel& model, const RobotDescription& robot, Problems& problems) {
+void resolve(ControllerModel& model, const Description& robot, Problems& problems) {
   Resolver(model, robot, problems).run();
 }
 

@@ -41,7 +41,7 @@ OutputShape shape_of(const PortDescriptor& port, const ComponentModel& component
   return shape;
 }
 
-void shape_sensation(ComponentModel& component, const RobotDescription& robot) {
+void shape_sensation(ComponentModel& component, const Description& robot) {
   OutputShape values{"", "", ValueType::Real, {}, true};
   if (component.channel_index >= 0) {
     const SensationChannel& channel = robot.sensations[static_cast<std::size_t>(component.channel_index)];
@@ -50,7 +50,7 @@ void shape_sensation(ComponentModel& component, const RobotDescription& robot) {
   component.outputs = {std::move(values), {"age_s", "s", ValueType::Real, {}, false}};
 }
 
-void shape(ComponentModel& component, const RobotDescription& robot) {
+void shape(ComponentModel& component, const Description& robot) {
   component.outputs.clear();
   if (component.component_class == ComponentClass::Sensation) {
     shape_sensation(component, robot);
@@ -76,7 +76,7 @@ bool open(const PortDescriptor& port) noexcept { return open_size(port) || open_
 /// Gives open outputs the shape of what is wired to the component's first open input.
 class Adoption {
  public:
-  Adoption(ControllerModel& model, const RobotDescription& robot, const ComponentIndex& ids)
+  Adoption(ControllerModel& model, const Description& robot, const ComponentIndex& ids)
       : model_(model), robot_(robot), ids_(ids), settled_(model.components.size(), false) {}
 
   void run() {
@@ -156,7 +156,7 @@ class Adoption {
   }
 
   ControllerModel& model_;
-  const RobotDescription& robot_;
+  const Description& robot_;
   const ComponentIndex& ids_;
   std::vector<bool> settled_;
 };
@@ -174,8 +174,7 @@ int find(const ComponentIndex& ids, std::string_view id) noexcept {
   return found == ids.end() ? -1 : found->second;
 }
 
-bool shape_outputs(ControllerModel& model, const RobotDescription& robot, const ComponentIndex& ids,
-                   Problems& problems) {
+bool shape_outputs(ControllerModel& model, const Description& robot, const ComponentIndex& ids, Problems& problems) {
   std::size_t values = 0;
   for (ComponentModel& component : model.components) {
     shape(component, robot);

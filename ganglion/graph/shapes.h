@@ -16,7 +16,6 @@ int find(const ComponentIndex& ids, std::string_view id) noexcept;
 /// Lays out the outputs of all components: what their descriptors say, the robot's channels, and where a descriptor
 /// leaves unit or size open, those of the wire on the component's first open input. False beyond kMaxValues, which is
 /// reported as TooLarge: nothing more can be said of the wires then.
-bool shape_outputs(ControllerModel& model, const RobotDescription& robot, const ComponentIndex& ids,
-                   Problems& problems);
+bool shape_outputs(ControllerModel& model, const Description& robot, const ComponentIndex& ids, Problems& problems);
 
 }  // namespace ganglion

@@ -10,7 +10,7 @@ namespace ganglion {
 /// What a person may have meant by the text of a wire, for messages.
 class WireHints {
  public:
-  WireHints(const ControllerModel& model, const RobotDescription& robot) : model_(model), robot_(robot) {}
+  WireHints(const ControllerModel& model, const Description& robot) : model_(model), robot_(robot) {}
 
   /// The components whose command or bids a candidate or request port takes.
   std::vector<std::string> givers_for(const PortDescriptor& port) const;
@@ -25,7 +25,7 @@ class WireHints {
 
  private:
   const ControllerModel& model_;
-  const RobotDescription& robot_;
+  const Description& robot_;
 };
 
 }  // namespace ganglion

@@ -17,7 +17,7 @@ class Drawing {
   explicit Drawing(const Descriptor& kind) { add(kind, "subject", true); }
 
   std::string text() const { return "format = 1\n" + text_; }
-  const RobotDescription& robot() const { return robot_; }
+  const Description& robot() const { return robot_; }
 
  private:
   std::string sensation(const PortDescriptor& port) {
@@ -77,7 +77,7 @@ class Drawing {
   }
 
   std::string text_;
-  RobotDescription robot_;
+  Description robot_;
 };
 
 /// Readings that REP-117 knows, ordinary ones, and one that nothing should believe.

@@ -6,7 +6,11 @@ namespace ganglion {
 
 KindList controller_kinds() noexcept { return {k_sensing, k_goal, k_acting, k_coordination}; }
 
-sim::SimKinds sim_kinds() noexcept { return {k_sim_drive, k_sim_sensor}; }
+std::span<const PlantKind* const> plant_kinds() noexcept { return k_plant; }
+
+std::span<const TaskKind* const> task_kinds() noexcept { return k_task; }
+
+sim::SimKinds sim_kinds() noexcept { return {k_sim_drive, k_sim_sensor, k_task}; }
 
 std::span<const MeasureKind* const> measure_kinds() noexcept { return k_measure; }
 
@@ -21,6 +25,8 @@ std::vector<const Descriptor*> all_descriptors() {
   append(k_coordination);
   append(k_sim_drive);
   append(k_sim_sensor);
+  append(k_plant);
+  append(k_task);
   append(k_measure);
   return all;
 }

@@ -10,8 +10,8 @@
 namespace ganglion {
 namespace {
 
-RobotDescription plant() {
-  RobotDescription plant;
+Description plant() {
+  Description plant;
   plant.name = "plant";
   plant.sensations = {{.name = "value"}, {.name = "other"}, {.name = "wish"}, {.name = "weight"}};
   plant.commands = {{"heat", {{"power", "", -10, 10}}},

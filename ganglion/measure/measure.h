@@ -35,7 +35,7 @@ struct MeasuredSignal {
 struct MeasureScope {
   std::span<const TruthChannel> truth{};  ///< Empty: nobody knows.
   std::span<const MeasuredSignal> signals{};
-  std::span<const LedgerColumn> goals{};  ///< Empty: no trainer.
+  std::span<const LedgerForm> ledgers{};  ///< Of the tasks.
   const Terrain* terrain = nullptr;       ///< Null: there is no ground.
   double radius_m = 0;                    ///< Of the robot's own disc.
 
@@ -49,7 +49,7 @@ struct Moment {
   double step_s = 0;
   std::span<const double> truth{};  ///< Empty: nobody knows.
   std::span<const double> signals{};
-  const Ledger* goals = nullptr;
+  std::span<const Ledger* const> ledgers{};  ///< In the order of the scope's; null where nobody knows it.
 };
 
 /// The truth of a run where nothing stands in the robot's way, tick by tick: rows of all channels.

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "ganglion/kinds/kinds.h"
+#include "ganglion/kinds/applications.h"
 #include "ganglion/run/run.h"
 
 namespace ganglion {
@@ -25,7 +25,8 @@ std::string kind_of(const config::Value& root) {
     if (root.find(key) != nullptr) return "world";
   }
   if (root.find("controller") != nullptr) return "experiment";
-  return root.find("sensation") != nullptr ? "controller" : "";
+  if (root.find("sensation") != nullptr) return "controller";
+  return root.find("kind") != nullptr ? "plant" : "";
 }
 
 /// All files are read, and if they are sound a run is begun on trial: what it would be refused for is told now.
@@ -37,12 +38,6 @@ void check_experiment(FileReader& files, const fs::path& file, Problems& problem
     if (error.place.file.empty()) error.place = {file.string(), 1, 1};
     problems.add(std::move(error));
   }
-}
-
-void check_world(FileReader& files, int file, Problems& problems) {
-  const auto before = problems.size();
-  const auto ground = sim::Ground::load(files, file, problems);
-  if (!ground && problems.size() == before) problems.add(ground.error());
 }
 
 }  // namespace
@@ -66,17 +61,17 @@ std::string check_file(const fs::path& given, Problems& problems) {
     check_experiment(files, file, problems);
   } else if (kind == "controller") {
     load_controller(files, *opened, {}, nullptr, problems);
-  } else if (kind == "robot") {
-    sim::load_description(files, *opened, sim_kinds(), {}, problems);
+  } else if (kind == "robot" || kind == "plant") {
+    read_description(files, *opened, {}, problems);
   } else if (kind == "world") {
     check_world(files, *opened, problems);
   } else {
     problems.add(
         {file.string(), 1, 1}, ErrorCode::Unsupported,
         {"is neither an experiment ([application], [run]), a controller ([[acting]], ...), a robot ([body], "
-         "[drive], ...) nor a world ([[wall]], [[box]], ...)",
+         "[drive], ...), a plant (kind = ...) nor a world ([[wall]], [[box]], ...)",
          "no es ni un experimento ([application], [run]), ni un controlador ([[acting]], ...), ni un robot ([body], "
-         "[drive], ...) ni un mundo ([[wall]], [[box]], ...)"});
+         "[drive], ...), ni una planta (kind = ...) ni un mundo ([[wall]], [[box]], ...)"});
   }
   return kind;
 }

@@ -8,6 +8,7 @@
 
 #include "ganglion/base/file.h"
 #include "ganglion/base/text.h"
+#include "ganglion/kinds/applications.h"
 #include "ganglion/link/net/address.h"
 
 namespace ganglion {
@@ -41,18 +42,9 @@ void sort_out(const std::vector<Override>& overrides, Experiment& experiment, st
   }
 }
 
-SpawnChoice read_spawn(Table table) {
-  SpawnChoice spawn;
-  spawn.id = table.text("id", "");
-  const std::vector<double> pose = table.numbers("pose", {}, 3);
-  if (!pose.empty()) spawn.pose = Pose2{{pose[0], pose[1]}, Angle::from_deg(pose[2])};
-  spawn.clearance_m = table.number("clearance_m", spawn.clearance_m, config::Range{0, 100});
-  const double yaw_deg = table.number("yaw_deg", std::numeric_limits<double>::quiet_NaN());
-  if (!std::isnan(yaw_deg)) spawn.yaw = Angle::from_deg(yaw_deg);
-  if (spawn.pose && !spawn.id.empty())
-    table.problem("id", ErrorCode::BadParameter, {"give either a pose or an id", "dé una pose o un id, no ambos"});
-  return spawn;
-}
+/// Keys of [application] that every application has.
+constexpr std::array<std::string_view, 7> kEverywhere = {"robot",   "world", "robots",  "address",
+                                                         "program", "pace",  "encoding"};
 
 constexpr std::array<std::string_view, 2> kPaces = {"lock_step", "free_running"};
 constexpr std::array<std::string_view, 2> kEncodings = {"binary", "json"};
@@ -119,12 +111,13 @@ class NamedFiles {
   const ExperimentFiles& instead_;
 };
 
-void read_application(Table application, Experiment& experiment, NamedFiles& named) {
+void read_application(Table application, Experiment& experiment, NamedFiles& named, bool opens) {
   experiment.opened.robot = named.open(application, "robot", &ExperimentFiles::robot, experiment);
   experiment.opened.world = named.open(application, "world", &ExperimentFiles::world, experiment);
   experiment.robots = application.integer("robots", 1, config::Range{1, 10'000});
-  experiment.spawn = read_spawn(application.table("spawn"));
   experiment.link = read_link(application);
+  if (!opens) return ask_application(application);  // nobody will read on
+  for (const std::string& key : application.keys()) application.known(key);
 }
 
 void read_run(Table run, Experiment& experiment) {
@@ -189,11 +182,20 @@ void read_table(Table table, Experiment& experiment, FileReader* files, const Ex
   if (!table.has("controller") && instead.controller.empty()) table.text("controller");  // reports it missing
   experiment.success = read_criteria(table, "success");
   experiment.faults = read_faults(table);
-  read_application(table.table("application"), experiment, named);
+  const config::Value* setting = table.value("application");
+  experiment.setting =
+      setting != nullptr && setting->table() != nullptr ? *setting : config::Value(config::Members(), table.place());
+  read_application(table.table("application"), experiment, named, files != nullptr);
   read_run(table.table("run"), experiment);
 }
 
 }  // namespace
+
+config::Table setting_of(const Experiment& experiment, Problems& problems) {
+  Table setting(experiment.setting, "", problems);
+  for (const std::string_view key : kEverywhere) setting.known(key);
+  return setting;
+}
 
 Experiment parse_experiment(std::string_view text, const std::string& file_name, Problems& problems,
                             config::Outline* outline) {

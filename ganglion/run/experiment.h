@@ -7,18 +7,9 @@
 
 #include "ganglion/application/fault/fault.h"
 #include "ganglion/config/table.h"
-#include "ganglion/geometry/pose2.h"
 #include "ganglion/run/criterion.h"
 
 namespace ganglion {
-
-/// Where robots start: at a pose, at a spawn of the world, or somewhere with room around it.
-struct SpawnChoice {
-  std::optional<Pose2> pose;
-  std::string id;            ///< A [[spawn]] of the world.
-  double clearance_m = 0.3;  ///< Of a random place, to the nearest surface from the robot's centre less its radius.
-  std::optional<Angle> yaw;  ///< Of a random place; none = random as well.
-};
 
 /// Where the robots are, when they are not simulated in this program.
 struct LinkChoice {
@@ -51,8 +42,8 @@ struct Experiment {
   std::string name;
   ExperimentFiles files;
   OpenedInputs opened;
+  config::Value setting;  ///< [application] as it stands: what its kind has besides, it reads itself.
   int robots = 1;
-  SpawnChoice spawn;
   LinkChoice link;
   double duration_s = 60;
   std::uint64_t seed = 1;
@@ -72,6 +63,9 @@ struct Experiment {
 Experiment read_experiment(FileReader& files, const std::filesystem::path& path,
                            const std::vector<config::Override>& overrides, Problems& problems,
                            const ExperimentFiles& instead = {});
+
+/// [application] with the keys that every application has marked as known.
+config::Table setting_of(const Experiment& experiment, Problems& problems);
 
 /// The same from a text, without --set and without opening what it names. `outline` takes down what was asked.
 Experiment parse_experiment(std::string_view text, const std::string& file_name, Problems& problems,

@@ -20,11 +20,6 @@ Fault fault(std::string target, FaultKind kind, double amount = 0, std::string w
 
 std::string device_of(const std::string& channel) { return channel.substr(0, channel.find('.')); }
 
-bool is_trainer(const sim::SensorModel& sensor) {
-  const auto device = sensor.kind->make(sensor.parameters);
-  return device && (*device)->trainer_log() != nullptr;
-}
-
 /// The devices whose channels the controller reads, in the robot's order, and those channels.
 struct Used {
   std::string device;
@@ -35,13 +30,11 @@ std::vector<Used> used_devices(const Prepared& prepared) {
   std::set<std::string> wired;
   for (const ComponentModel& component : prepared.controller.components)
     if (!component.channel.empty()) wired.insert(component.channel);
-  std::set<std::string> trainers;
-  for (const sim::SensorModel& sensor : prepared.robot->sensors)
-    if (is_trainer(sensor)) trainers.insert(sensor.id);
+  const auto tasks = prepared.application->tasks();  // their channels are no device's: nothing there can break
   std::vector<Used> used;
-  for (const SensationChannel& channel : prepared.robot->description.sensations) {
+  for (const SensationChannel& channel : prepared.application->description().sensations) {
     const std::string device = device_of(channel.name);
-    if (!wired.contains(channel.name) || trainers.contains(device)) continue;
+    if (!wired.contains(channel.name) || std::ranges::count(tasks, device) > 0) continue;
     if (used.empty() || used.back().device != device) used.push_back({device, {}});
     used.back().channels.push_back(&channel);
   }
@@ -83,7 +76,7 @@ std::vector<Fault> single_faults(const Prepared& prepared) {
     for (std::size_t b = a + 1; b < used.size(); ++b)
       for (std::size_t c = 0; c < used[a].channels.size() && alike(used[a], used[b]); ++c)
         faults.push_back(fault(used[a].channels[c]->name, FaultKind::Swapped, 0, used[b].channels[c]->name));
-  for (const CommandChannel& command : prepared.robot->description.commands)
+  for (const CommandChannel& command : prepared.application->description().commands)
     for (const CommandElement& element : command.elements)
       faults.push_back(fault(command.name + "." + element.name, FaultKind::Weak, kLostPower));
   for (const char* all : {"frames", "commands"}) {

@@ -63,17 +63,30 @@ TEST(FaultCases, PairFaultsOfDifferentSignals) {
   EXPECT_FALSE(std::ranges::count(names, "sonar_left dead + sonar_left.range biased 0.1"));
 }
 
+/// Only what it says of itself.
+class Described final : public ApplicationModel {
+ public:
+  explicit Described(Description description) : description_(std::move(description)) {}
+  const Description& description() const noexcept override { return description_; }
+  Result<std::unique_ptr<Application>> make() const override {
+    return fail(ErrorCode::Unsupported, {"it only is described", "solo está descrito"});
+  }
+
+ private:
+  Description description_;
+};
+
 TEST(FaultCases, OfVeryManySensorsAreRefused) {
   // 60 sonars have 300 faults of their own and 1770 swaps: hundreds of thousands of pairs.
   Prepared prepared = nimrod(1);
-  sim::RobotModel robot = *prepared.robot;
-  const SensationChannel sonar = robot.description.sensations.front();
+  Description description = prepared.application->description();
+  const SensationChannel sonar = description.sensations.front();
   for (int n = 0; n < 60; ++n) {
-    robot.description.sensations.push_back(sonar);
-    robot.description.sensations.back().name = fmt::format("more_{}.range", n);
+    description.sensations.push_back(sonar);
+    description.sensations.back().name = fmt::format("more_{}.range", n);
     prepared.controller.components.push_back({.id = {}, .channel = fmt::format("more_{}.range", n)});
   }
-  prepared.robot = std::make_shared<const sim::RobotModel>(std::move(robot));
+  prepared.application = std::make_shared<const Described>(std::move(description));
   EXPECT_TRUE(fault_cases(prepared, false));
   const auto pairs = run_fault_matrix(prepared, {}, true);
   ASSERT_FALSE(pairs);

@@ -6,8 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "ganglion/base/file.h"
-#include "ganglion/base/hash.h"
-#include "ganglion/graph/digest.h"
 
 namespace ganglion {
 namespace {
@@ -60,20 +58,6 @@ std::string text_of(const Json& object, std::string_view key) {
 }
 
 }  // namespace
-
-std::string controller_hash(const OpenedFile& file, const ControllerModel& controller,
-                            const std::vector<config::Override>& overrides) {
-  std::uint64_t hash = file.hash();
-  for (const config::Override& override : overrides)
-    hash = combine(hash, hash_name(override.path + "=" + override.value));
-  for (const ComponentModel& component : controller.components) {
-    for (const ParameterDescriptor& parameter : component.parameters.descriptors()) {
-      if (parameter.type != ParameterType::File) continue;
-      hash = combine(hash, hash_name(component.parameters.file(parameter.name).text));
-    }
-  }
-  return hex(hash);
-}
 
 void attach_inputs(RunRecorder& recorder, const Experiment& experiment, const std::vector<OpenedFile>& files) {
   const std::vector<std::string> names = names_of(files);

@@ -13,10 +13,6 @@
 
 namespace ganglion {
 
-/// Of a controller's text, the files it names, and what --set changed in it; 16 hex digits.
-std::string controller_hash(const OpenedFile& file, const ControllerModel& controller,
-                            const std::vector<config::Override>& overrides);
-
 /// Attaches every file that was read, under "input/" and its name from the deepest folder that all lie below, texts of
 /// the program under "builtin/", and "inputs.json": which of them is what, who names it, and what --set changed.
 void attach_inputs(RunRecorder& recorder, const Experiment& experiment, const std::vector<OpenedFile>& files);

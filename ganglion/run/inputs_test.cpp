@@ -21,7 +21,7 @@ const fs::path kExperiments = fs::path(GANGLION_SOURCE_DIR) / "experiments";
 
 /// After one tick with the reading 0.1 everywhere.
 std::uint64_t digest_of(ControllerModel model) {
-  const RobotDescription robot = testing::test_robot();
+  const Description robot = testing::test_robot();
   Problems problems;
   resolve(model, robot, problems);
   EXPECT_EQ(problems.text(), "");

@@ -1,9 +1,9 @@
 #include "ganglion/run/interference.h"
 
-#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "ganglion/base/expects.h"
 #include "ganglion/base/text.h"
 
 namespace ganglion {
@@ -11,14 +11,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What the digest knows of one: kind, who is concerned, where.
-std::array<double, 5> numbers_of(const sim::Intervention& what) {
-  if (const auto* goal = std::get_if<sim::SetGoal>(&what)) {
-    return {0, static_cast<double>(goal->robot), 0, goal->point.x, goal->point.y};
+/// What the digest knows of one: which it is, who is concerned, its arguments. A name goes in two halves, which a double
+/// holds.
+std::vector<double> numbers_of(const InterventionDescriptor& descriptor, const Intervention& what) {
+  std::vector<double> numbers = {static_cast<double>(descriptor.code), static_cast<double>(what.robot), 0};
+  if (!descriptor.subject.empty()) {
+    const std::uint64_t name = hash_name(what.subject);
+    numbers[1] = static_cast<double>(name >> 32);
+    numbers[2] = static_cast<double>(name & 0xffffffffu);
   }
-  const auto& put = std::get<sim::PutMover>(what);
-  const std::uint64_t name = hash_name(put.mover);  // in two halves, which a double holds
-  return {1, static_cast<double>(name >> 32), static_cast<double>(name & 0xffffffffu), put.point.x, put.point.y};
+  for (const InterventionArgument& argument : descriptor.arguments) {
+    numbers.push_back(what.argument(argument.name).value_or(0));
+  }
+  return numbers;
 }
 
 std::optional<double> number_in(const Json& json, const char* key) {
@@ -27,43 +32,44 @@ std::optional<double> number_in(const Json& json, const char* key) {
   return good ? std::optional(found->get<double>()) : std::nullopt;
 }
 
+/// Numbers are arguments and a text is what it took hold of in place of a robot, whatever they are called: the
+/// application judges them.
 std::optional<TimedIntervention> read(const std::string& text) {
   const Json json = Json::parse(text, nullptr, false);
   if (!json.is_object()) return std::nullopt;
-  const auto tick = number_in(json, "tick"), x = number_in(json, "x_m"), y = number_in(json, "y_m");
-  if (!tick || !(*tick >= 0 && *tick <= 4e9) || !x || !y) return std::nullopt;
-  const auto whole_tick = static_cast<std::uint32_t>(*tick);
-  const std::string what = json.contains("what") && json["what"].is_string() ? json["what"].get<std::string>() : "";
-  if (what == "goal") {
-    const auto robot = number_in(json, "robot");
-    if (!robot || !(*robot >= 0 && *robot <= 1e6)) return std::nullopt;
-    return TimedIntervention{whole_tick, sim::SetGoal{static_cast<int>(*robot), {*x, *y}}};
+  const auto tick = number_in(json, "tick");
+  if (!tick || !(*tick >= 0 && *tick <= 4e9)) return std::nullopt;
+  if (!json.contains("what") || !json["what"].is_string()) return std::nullopt;
+  TimedIntervention one{static_cast<std::uint32_t>(*tick), {.name = json["what"].get<std::string>()}};
+  for (const auto& [key, value] : json.items()) {
+    if (key == "tick" || key == "what") continue;
+    if (key == "robot") {
+      const auto robot = number_in(json, "robot");
+      if (!robot || !(*robot >= 0 && *robot <= 1e6)) return std::nullopt;
+      one.what.robot = static_cast<int>(*robot);
+    } else if (value.is_string()) {
+      one.what.subject = value.get<std::string>();
+    } else if (const auto number = number_in(json, key.c_str())) {
+      one.what.arguments.push_back({key, *number});
+    } else {
+      return std::nullopt;
+    }
   }
-  if (what != "obstacle" || !json.contains("mover") || !json["mover"].is_string()) return std::nullopt;
-  return TimedIntervention{whole_tick, sim::PutMover{json["mover"].get<std::string>(), {*x, *y}}};
+  if (json.contains("robot") == !one.what.subject.empty()) return std::nullopt;
+  return one;
 }
 
 }  // namespace
 
-std::string intervention_json(const TimedIntervention& one) {
-  Json json = {{"tick", one.tick}};
-  if (const auto* goal = std::get_if<sim::SetGoal>(&one.what)) {
-    json.update({{"what", "goal"}, {"robot", goal->robot}, {"x_m", goal->point.x}, {"y_m", goal->point.y}});
+std::string intervention_json(const InterventionDescriptor& descriptor, const TimedIntervention& one) {
+  Json json = {{"tick", one.tick}, {"what", descriptor.name}};
+  if (descriptor.subject.empty()) {
+    json["robot"] = one.what.robot;
   } else {
-    const auto& put = std::get<sim::PutMover>(one.what);
-    json.update({{"what", "obstacle"}, {"mover", put.mover}, {"x_m", put.point.x}, {"y_m", put.point.y}});
+    json[std::string(descriptor.subject)] = one.what.subject;
   }
+  for (const NamedNumber& argument : one.what.arguments) json[argument.name] = argument.value;
   return json.dump();
-}
-
-Sentence intervention_text(const TimedIntervention& one) {
-  if (const auto* goal = std::get_if<sim::SetGoal>(&one.what)) {
-    return say({"goal of robot {} set at ({:.2f}, {:.2f})", "objetivo del robot {} fijado en ({:.2f}, {:.2f})"},
-               goal->robot, goal->point.x, goal->point.y);
-  }
-  const auto& put = std::get<sim::PutMover>(one.what);
-  return say({"\"{}\" put at ({:.2f}, {:.2f})", "\"{}\" puesto en ({:.2f}, {:.2f})"}, put.mover, put.point.x,
-             put.point.y);
 }
 
 Result<std::vector<TimedIntervention>> interventions_of(const RunFile& run) {
@@ -83,8 +89,8 @@ Result<std::vector<TimedIntervention>> interventions_of(const RunFile& run) {
   return list;
 }
 
-Interference::Interference(sim::Simulation* simulation, std::vector<TimedIntervention> planned, Told told)
-    : simulation_(simulation), planned_(std::move(planned)), told_(std::move(told)) {}
+Interference::Interference(Application* application, std::vector<TimedIntervention> planned, Told told)
+    : application_(application), planned_(std::move(planned)), told_(std::move(told)) {}
 
 Result<void> Interference::before(std::uint32_t tick) {
   tick_ = tick;
@@ -100,8 +106,8 @@ Result<void> Interference::before(std::uint32_t tick) {
   return {};
 }
 
-Result<sim::Intervened> Interference::reach(const sim::Intervention& what) {
-  if (simulation_ == nullptr) {
+Result<Intervened> Interference::reach(const Intervention& what) {
+  if (application_ == nullptr) {
     return fail(
         ErrorCode::Unsupported,
         {"the robots are at the other end of a link; goals and obstacles can only be set in a world that is "
@@ -109,11 +115,13 @@ Result<sim::Intervened> Interference::reach(const sim::Intervention& what) {
          "los robots están al otro extremo de un enlace; solo se pueden fijar objetivos y obstáculos en un mundo "
          "simulado aquí"});
   }
-  auto done = simulation_->intervene(what);
+  auto done = application_->intervene(what);
   if (!done) return done;
+  const InterventionDescriptor* descriptor = find(application_->interventions(), what.name);
+  expects(descriptor != nullptr);  // what it does not list it does not do
   if (count_++ == 0) digest_.join(0, "@interventions");
-  digest_.add(0, tick_, numbers_of(what));
-  told_({tick_, what});
+  digest_.add(0, tick_, numbers_of(*descriptor, what));
+  told_(*descriptor, {tick_, what});
   return done;
 }
 

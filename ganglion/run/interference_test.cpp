@@ -31,6 +31,11 @@ Prepared prepared(const std::vector<config::Override>& more = {}) {
   return made.value();
 }
 
+Intervention set_goal(int robot, Vector2 point) { return {"goal", robot, "", {{"x_m", point.x}, {"y_m", point.y}}}; }
+Intervention put_mover(const std::string& mover, Vector2 point) {
+  return {"obstacle", 0, mover, {{"x_m", point.x}, {"y_m", point.y}}};
+}
+
 RunResult result_of(const Prepared& prepared, const RunOptions& options) {
   auto result = run(prepared, options);
   EXPECT_TRUE(result) << result.error().text();
@@ -38,7 +43,7 @@ RunResult result_of(const Prepared& prepared, const RunOptions& options) {
 }
 
 const std::vector<TimedIntervention> kPlan = {
-    {0, sim::SetGoal{0, {2.3, 9.4}}}, {12, sim::PutMover{"crate_1", {10.25, 9.25}}}, {20, sim::SetGoal{0, {0.8, 8.2}}}};
+    {0, set_goal(0, {2.3, 9.4})}, {12, put_mover("crate_1", {10.25, 9.25})}, {20, set_goal(0, {0.8, 8.2})}};
 
 class ATouchedRun : public ::testing::Test {
  protected:
@@ -88,7 +93,7 @@ TEST_F(ATouchedRun, IsNotTakenForTheSeedsOwnEvenWhereNothingCameOfIt) {
   EXPECT_EQ(alone.interventions, 0u);
   options.progress = [&](double share) {
     if (share == 1) {  // after the last tick
-      EXPECT_TRUE(reach(sim::PutMover{"crate_8", {3.25, 5.75}}));
+      EXPECT_TRUE(reach(put_mover("crate_8", {3.25, 5.75})));
     }
     return true;
   };
@@ -122,9 +127,12 @@ TEST_F(ATouchedRun, RecordsWhatWasDoneAndWhenAndIsRepeatedBitForBit) {
   ASSERT_TRUE(list);
   ASSERT_EQ(list->size(), 3u);
   EXPECT_EQ((*list)[1].tick, 12u);
-  EXPECT_EQ(std::get<sim::PutMover>((*list)[1].what).mover, "crate_1");
-  EXPECT_EQ(std::get<sim::PutMover>((*list)[1].what).point, (Vector2{10.25, 9.25}));
-  EXPECT_EQ(std::get<sim::SetGoal>((*list)[2].what).point, (Vector2{0.8, 8.2}));
+  EXPECT_EQ((*list)[1].what.name, "obstacle");
+  EXPECT_EQ((*list)[1].what.subject, "crate_1");
+  EXPECT_EQ((*list)[1].what.argument("x_m"), 10.25);
+  EXPECT_EQ((*list)[1].what.argument("y_m"), 9.25);
+  EXPECT_EQ((*list)[2].what.name, "goal");
+  EXPECT_EQ((*list)[2].what.argument("x_m"), 0.8);
   const auto& log = file.json.at("/log").messages;
   EXPECT_TRUE(std::any_of(log.begin(), log.end(), [](const JsonMessage& message) {
     return message.text.find(R"("message_es":"\"crate_1\" puesto en (10.25, 9.25))") != std::string::npos;
@@ -149,7 +157,7 @@ TEST_F(ATouchedRun, IsRepeatedAsFarAsItWentWhenItWasCutShort) {
   options.reach = [&](Reach given) { reach = std::move(given); };
   options.progress = [&](double) {
     if (++ticks == 15) {
-      EXPECT_TRUE(reach(sim::SetGoal{0, {0.8, 8.2}}));
+      EXPECT_TRUE(reach(set_goal(0, {0.8, 8.2})));
     }
     return ticks < 15;
   };
@@ -161,7 +169,7 @@ TEST_F(ATouchedRun, IsRepeatedAsFarAsItWentWhenItWasCutShort) {
 }
 
 TEST_F(ATouchedRun, FailsWhereWhatWasPlannedCannotBe) {
-  const auto failed = run(prepared(), {.interventions = {{5, sim::PutMover{"crate_1", {4.25, 9}}}}});
+  const auto failed = run(prepared(), {.interventions = {{5, put_mover("crate_1", {4.25, 9})}}});
   ASSERT_FALSE(failed);
   EXPECT_EQ(
       failed.error().what.en,
@@ -171,16 +179,16 @@ TEST_F(ATouchedRun, FailsWhereWhatWasPlannedCannotBe) {
 
 TEST_F(ATouchedRun, RefusesWhereTheRobotsAreAtTheOtherEndOfALink) {
   const Prepared here = prepared();
-  RunRobots robots = RunRobots::simulate(here, here.ground, {}).value();
+  RunRobots robots = RunRobots::make_here(here.application->make().value()).value();
   link::RobotEndConfig config;
   config.token = link::random_token;
-  link::RobotEnd end(robots.application(), robots.witness(), config);
+  link::RobotEnd end(robots.application(), config);
   const link::Serving serving(end);
   const std::string address = "\"" + serving.address().text + "\"";
   RunOptions options;
   std::string said;
   options.reach = [&](const Reach& reach) {
-    const auto done = reach(sim::SetGoal{0, {2.3, 9.4}});
+    const auto done = reach(set_goal(0, {2.3, 9.4}));
     said = done ? "" : done.error().what.en;
   };
   const RunResult result = result_of(prepared({{"application.address", address}, {"run.duration_s", "3"}}), options);
@@ -195,9 +203,12 @@ TEST(InterventionsOf, RefusesWhatItCannotMakeOut) {
     const auto list = interventions_of(file);
     return list ? std::string() : list.error().what.en;
   };
-  const std::string good = intervention_json({7, sim::SetGoal{1, {0.1, 1e-9}}});
+  constexpr InterventionDescriptor kGoal{"goal", {"a goal", "un objetivo"}, "", {}, 0, {"a", "a"}};
+  constexpr InterventionDescriptor kObstacle{"obstacle", {"an obstacle", "un obstáculo"}, "mover", {}, 1, {"a", "a"}};
+  const std::string good = intervention_json(kGoal, {7, set_goal(1, {0.1, 1e-9})});
+  EXPECT_EQ(good, R"({"tick":7,"what":"goal","robot":1,"x_m":0.1,"y_m":1e-09})");
   EXPECT_EQ(read({{7, good}}), "");
-  EXPECT_EQ(read({{7, good}, {6.5, intervention_json({6, sim::PutMover{"a", {}}})}}),
+  EXPECT_EQ(read({{7, good}, {6.5, intervention_json(kObstacle, {6, put_mover("a", {})})}}),
             "the run file's intervention 2 at 6.5 s cannot be made out");
   for (const char* bad :
        {"", "[]", "{}", R"({"tick":1,"what":"goal","robot":-1,"x_m":0,"y_m":0})",

@@ -4,11 +4,11 @@
 
 #include "ganglion/base/file.h"
 #include "ganglion/base/testing/folder.h"
+#include "ganglion/config/named_tables.h"
 #include "ganglion/graph/model.h"
 #include "ganglion/record/mcap/reader.h"
 #include "ganglion/record/mcap/writer.h"
 #include "ganglion/run/check_file.h"
-#include "ganglion/sim/robot/robot_reader.h"
 #include "ganglion/sim/world/plan/plan.h"
 
 // Files of absurd size come to a quick end, with the limit in the message. What lies just within is accepted elsewhere:
@@ -62,7 +62,7 @@ TEST_F(Limits, OfARobotsParts) {
   const auto sensor = [](std::size_t i) { return fmt::format("[[sensor]]\nid = \"s{}\"\nkind = \"Sonar\"\n", i); };
   const std::string body =
       "format = 1\nname = \"r\"\ntick_s = 0.1\n[body]\nlength_m = 0.2\nwidth_m = 0.2\n[drive]\nkind = \"Tracked\"\n";
-  EXPECT_EQ(complaint("r.toml", body + repeated(sim::kMaxRobotParts + 1, sensor)),
+  EXPECT_EQ(complaint("r.toml", body + repeated(config::kMaxNamedTables + 1, sensor)),
             "there are 1025 of [[sensor]]; the limit is 1024");
 }
 

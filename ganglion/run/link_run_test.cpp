@@ -37,19 +37,18 @@ Prepared prepared(const char* experiment, const Sets& sets) {
 /// What `ganglion sim` does, in a thread.
 class Served {
  public:
-  Served(const Prepared& prepared, const std::string& address)
-      : robots_(RunRobots::simulate(prepared, prepared.ground, {}).value()) {
-    EXPECT_TRUE(robots_.application().reset(99, 0));
+  Served(const Prepared& prepared, const std::string& address) : application_(prepared.application->make().value()) {
+    EXPECT_TRUE(application_->reset(99, 0));
     link::RobotEndConfig config;
     config.token = link::random_token;
-    end_ = std::make_unique<link::RobotEnd>(robots_.application(), robots_.witness(), config);
+    end_ = std::make_unique<link::RobotEnd>(*application_, config);
     serving_ = std::make_unique<link::Serving>(*end_, address);
   }
   void stop() { serving_->stop(); }
   std::string address() const { return serving_->address().text; }
 
  private:
-  RunRobots robots_;
+  std::unique_ptr<Application> application_;
   std::unique_ptr<link::RobotEnd> end_;
   std::unique_ptr<link::Serving> serving_;
 };
@@ -136,6 +135,22 @@ void expect_same_over_every_link(const char* experiment, Sets sets) {
 TEST(LinkRun, GivesTheDigestOfARunInProcess) {
   expect_same_over_every_link("nimrod", {"run.duration_s=30"});
   expect_same_over_every_link("pathfinder", {"run.duration_s=200"});
+}
+
+TEST(LinkRun, GivesTheDigestOfAPlant) {
+  expect_same_over_every_link("process", {"run.duration_s=20"});
+  expect_same_over_every_link("process/loads.toml", {"run.duration_s=40"});
+}
+
+TEST(LinkRun, CarriesTruthAndLedgersOfAPlant) {
+  const Prepared here = prepared("process", {"run.duration_s=29"});
+  const Served served(here, "127.0.0.1:0");
+  const auto there =
+      run(prepared("process", {"run.duration_s=29", "application.address=" + served.address()}), {.seed = 5});
+  const auto in_process = run(here, {.seed = 5});
+  ASSERT_TRUE(there && in_process);
+  EXPECT_GT(measure(in_process->measures, "overshoot"), 0.1);
+  EXPECT_EQ(there->measures, in_process->measures);
 }
 
 TEST(LinkRun, GivesTheDigestOfARunInProcessWithFaultsAndMovers) {

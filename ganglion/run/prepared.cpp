@@ -3,11 +3,10 @@
 #include "ganglion/application/fault/faulty_application.h"
 #include "ganglion/base/text.h"
 #include "ganglion/graph/order.h"
+#include "ganglion/kinds/applications.h"
 #include "ganglion/kinds/kinds.h"
-#include "ganglion/run/inputs.h"
+#include "ganglion/run/controller_hash.h"
 #include "ganglion/run/measure_list.h"
-#include "ganglion/sim/robot/truth_channels.h"
-#include "ganglion/sim/world/ground_terrain.h"
 
 namespace ganglion {
 namespace {
@@ -32,30 +31,33 @@ void find_robot(FileReader& files, Experiment& experiment, Problems& problems) {
   if (experiment.opened.robot >= 0) experiment.files.robot = files.at(experiment.opened.robot).resolved;
 }
 
-std::shared_ptr<const sim::RobotModel> load_robot(FileReader& files, const Experiment& experiment, Problems& problems) {
+std::shared_ptr<const ApplicationModel> load_application(FileReader& files, const Experiment& experiment,
+                                                         Problems& problems) {
   if (experiment.opened.robot < 0) return nullptr;
-  auto robot = sim::load_robot(files, experiment.opened.robot, sim_kinds(), experiment.robot_overrides, problems);
-  if (robot != nullptr && !robot->simulated() && !experiment.link.remote()) {
-    problems.add({experiment.files.robot.string(), 1, 1}, ErrorCode::MissingKey,
-                 {"describes a robot without [drive]: it cannot be simulated; where is it? Give application.address",
-                  "describe un robot sin [drive]: no se puede simular; ¿dónde está? Dé application.address"});
+  auto root = config::parse(files.at(experiment.opened.robot));
+  if (!root) {
+    problems.add(root.error());
+    return nullptr;
   }
-  return robot;
-}
-
-std::shared_ptr<const sim::Ground> open_ground(Problems& problems) {
-  auto ground = sim::Ground::make(sim::GroundPlan{.name = "open ground"}, problems);
-  return ground ? std::make_shared<const sim::Ground>(std::move(*ground)) : nullptr;
-}
-
-std::shared_ptr<const sim::Ground> load_ground(FileReader& files, const Experiment& experiment, Problems& problems) {
-  if (experiment.opened.world < 0) return open_ground(problems);
-  auto ground = sim::Ground::load(files, experiment.opened.world, problems, experiment.world_overrides);
-  return ground ? std::make_shared<const sim::Ground>(std::move(*ground)) : nullptr;
+  const std::size_t before = problems.size();
+  for (const config::Override& override : experiment.robot_overrides) {
+    if (auto applied = config::apply(*root, override); !applied) problems.add(applied.error());
+  }
+  config::Table setting = setting_of(experiment, problems);
+  auto model = read_application({.file = *root,
+                                 .files = &files,
+                                 .setting = &setting,
+                                 .world = experiment.opened.world,
+                                 .world_overrides = experiment.world_overrides,
+                                 .robots = experiment.robots,
+                                 .here = !experiment.link.remote()},
+                                problems);
+  setting.finish();
+  return problems.size() == before ? model : nullptr;
 }
 
 /// Every fault that names nothing; then what all of them together come to.
-void check_faults(const Experiment& experiment, const RobotDescription& robot, double step_s, Problems& problems) {
+void check_faults(const Experiment& experiment, const Description& robot, double step_s, Problems& problems) {
   bool sound = true;
   for (const Fault& fault : experiment.faults) {
     if (const auto site = site_of(fault, robot); !site) problems.add(site.error()), sound = false;
@@ -68,7 +70,8 @@ void check_faults(const Experiment& experiment, const RobotDescription& robot, d
 /// The controller, made once on trial: nothing that it would refuse is found only when a run begins.
 void try_controller(Prepared& prepared, Problems& problems) {
   const Identity identity{prepared.experiment.seed, 0, 0};
-  const auto made = Controller::compile(prepared.controller, prepared.robot->description, controller_kinds(), identity);
+  const auto made =
+      Controller::compile(prepared.controller, prepared.application->description(), controller_kinds(), identity);
   if (!made) {
     problems.add(made.error());
   } else {
@@ -108,27 +111,17 @@ void check_criteria(const Prepared& prepared, Problems& problems) {
 }  // namespace
 
 MeasureScope Prepared::scope() const {
-  MeasureScope scope{.signals = signals, .terrain = terrain.get()};
-  if (robot == nullptr || !robot->simulated()) return scope;
-  scope.truth = sim::truth_channels();
-  scope.radius_m = robot->radius_m;
-  if (robot->trained) scope.goals = sim::TrainerLedger::columns_of_goals();
-  return scope;
-}
-
-sim::SimulationConfig Prepared::simulation(std::shared_ptr<const sim::Ground> on,
-                                           const std::vector<Pose2>& starts) const {
-  const SpawnChoice& choice = experiment.spawn;
-  sim::SpawnRule rule = sim::SpawnRandom{choice.clearance_m, choice.yaw};
-  if (!choice.id.empty()) rule = sim::SpawnNamed{choice.id};
-  if (choice.pose) rule = sim::SpawnPoses{{*choice.pose}};
-  if (!starts.empty()) rule = sim::SpawnPoses{starts};
-  return {.ground = std::move(on), .model = robot, .robots = experiment.robots, .spawn = std::move(rule)};
+  const auto& body = application->description().body;
+  return {.truth = application->truth(),
+          .signals = signals,
+          .ledgers = application->ledgers(),
+          .terrain = application->terrain(),
+          .radius_m = body ? body->radius_m : 0};
 }
 
 std::optional<ControllerModel> load_controller(FileReader& files, int controller,
-                                               const std::vector<config::Override>& overrides,
-                                               const RobotDescription* robot, Problems& problems) {
+                                               const std::vector<config::Override>& overrides, const Description* robot,
+                                               Problems& problems) {
   auto root = config::parse(files.at(controller));
   if (!root) {
     problems.add(root.error());
@@ -138,11 +131,11 @@ std::optional<ControllerModel> load_controller(FileReader& files, int controller
     if (auto applied = config::apply(*root, override); !applied) problems.add(applied.error());
   }
   ControllerModel model = read_controller(*root, controller_kinds(), problems, &files);
-  std::optional<RobotDescription> own;
+  std::optional<Description> own;
   if (robot == nullptr) {
     const int named = robot_named_by(*root, files, problems);
     if (named < 0) return std::nullopt;
-    own = sim::load_description(files, named, sim_kinds(), {}, problems);
+    own = read_description(files, named, {}, problems);
     if (!own) return std::nullopt;
     robot = &*own;
   }
@@ -167,18 +160,15 @@ std::optional<Prepared> prepare(FileReader& files, const std::filesystem::path& 
   const OpenedInputs& opened = experiment.opened;
   if (opened.controller < 0) return std::nullopt;
   if (opened.robot < 0) find_robot(files, experiment, problems);
-  prepared.robot = load_robot(files, experiment, problems);
-  const RobotDescription* description = prepared.robot != nullptr ? &prepared.robot->description : nullptr;
+  prepared.application = load_application(files, experiment, problems);
+  const Description* description = prepared.application != nullptr ? &prepared.application->description() : nullptr;
   auto model = load_controller(files, opened.controller, experiment.controller_overrides, description, problems);
-  prepared.ground = load_ground(files, experiment, problems);
-  if (experiment.free_ground) prepared.open_ground = open_ground(problems);
   if (description != nullptr) {
     prepared.step_s = model && model->tick_s > 0 ? model->tick_s : description->tick_s;
     check_faults(experiment, *description, prepared.step_s, problems);
   }
-  if (!problems.empty() || !model || prepared.ground == nullptr) return std::nullopt;
+  if (!problems.empty() || !model) return std::nullopt;
   prepared.controller = std::move(*model);
-  prepared.terrain = std::make_shared<const sim::GroundTerrain>(prepared.ground);
   try_controller(prepared, problems);
   prepared.figures = figures_in(prepared.scope());
   check_criteria(prepared, problems);

@@ -4,7 +4,6 @@
 
 #include "ganglion/run/inputs.h"
 #include "ganglion/run/version.h"
-#include "ganglion/sim/robot/truth_channels.h"
 
 namespace ganglion {
 namespace {
@@ -20,7 +19,7 @@ RunInfo info_of(const Prepared& prepared, const RunOptions& options) {
   info.episode = options.episode;
   info.tick_s = prepared.step_s;
   info.controller_hash = prepared.controller_hash;
-  info.robots.assign(static_cast<std::size_t>(prepared.experiment.robots), prepared.robot->description.name);
+  info.robots.assign(static_cast<std::size_t>(prepared.experiment.robots), prepared.application->description().name);
   info.versions = {{"ganglion", std::string(kVersion)}};
   return info;
 }
@@ -45,10 +44,9 @@ Result<Recording> Recording::start(const Prepared& prepared, const RunOptions& o
   Recording recording;
   const auto writer_to = [&](RunSink& sink, const Experiment& experiment) {
     auto writer =
-        std::make_unique<RunWriter>(sink, experiment, prepared.controller, sim::truth_channels(), robots, controllers);
-    sim::World world(prepared.ground);
-    world.reset(options.seed, options.episode);
-    writer->write_scene(world, *prepared.robot, prepared.controller);
+        std::make_unique<RunWriter>(sink, experiment, prepared.controller, *prepared.application, robots, controllers);
+    writer->write_scene(prepared.application->scene(options.seed, options.episode), prepared.application->description(),
+                        prepared.controller);
     return writer;
   };
   if (!options.run_file.empty()) {

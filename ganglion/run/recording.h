@@ -22,9 +22,9 @@ class Recording {
     if (watched_) watched_->write(tick, time_s);
   }
   /// Something was done to the world before the tick of that time.
-  void write_intervention(const TimedIntervention& one, double time_s) {
-    if (writer_) writer_->write_intervention(one, time_s);
-    if (watched_) watched_->write_intervention(one, time_s);
+  void write_intervention(const InterventionDescriptor& descriptor, const TimedIntervention& one, double time_s) {
+    if (writer_) writer_->write_intervention(descriptor, one, time_s);
+    if (watched_) watched_->write_intervention(descriptor, one, time_s);
   }
   /// Adds the outcome, closes the file and names it in the result.
   Result<void> finish(RunResult& result);

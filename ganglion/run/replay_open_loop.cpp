@@ -6,9 +6,9 @@
 
 #include "ganglion/base/text.h"
 #include "ganglion/graph/controller.h"
+#include "ganglion/kinds/applications.h"
 #include "ganglion/kinds/kinds.h"
 #include "ganglion/record/csv.h"
-#include "ganglion/sim/robot/robot_model.h"
 
 namespace ganglion {
 namespace {
@@ -27,7 +27,7 @@ std::vector<std::string> value_names(const ComponentModel& sensation, const Sens
   return names;
 }
 
-std::vector<Feed> feeds_of(const ControllerModel& model, const RobotDescription& robot, const Csv& csv,
+std::vector<Feed> feeds_of(const ControllerModel& model, const Description& robot, const Csv& csv,
                            const std::string& file, Problems& problems) {
   std::vector<Feed> feeds;
   std::vector<std::string> known = {"time_s", "cost"};
@@ -56,7 +56,7 @@ std::vector<Feed> feeds_of(const ControllerModel& model, const RobotDescription&
   return feeds;
 }
 
-std::string header_of(const ControllerModel& model, const RobotDescription& robot) {
+std::string header_of(const ControllerModel& model, const Description& robot) {
   std::string line = "time_s";
   for (const CommandChannel& channel : robot.commands) {
     for (const CommandElement& element : channel.elements) line += "," + channel.name + "." + element.name;
@@ -99,7 +99,7 @@ double step_at(const Csv& csv, std::size_t time, std::size_t row, double preset_
   return step_s > 0 ? step_s : preset_s;
 }
 
-std::string play(Controller& controller, const ControllerModel& model, const RobotDescription& robot, const Csv& csv,
+std::string play(Controller& controller, const ControllerModel& model, const Description& robot, const Csv& csv,
                  const std::vector<Feed>& feeds) {
   SenseFrame sense = make_sense_frame(robot);
   ActFrame act = make_act_frame(robot);
@@ -146,7 +146,9 @@ Result<std::string> replay_open_loop(const std::filesystem::path& path, const st
   if (model.robot.empty())
     problems.add({path.string(), 1, 1}, ErrorCode::MissingKey, {"robot is missing", "falta robot"});
   if (!problems.empty()) return bad();
-  const auto robot = sim::load_description(model.robot, sim_kinds(), {}, problems);
+  const auto named = files.open("robot", model.robot.string(), -1, config::kMaxBytes);
+  if (!named) problems.add(named.error());
+  const auto robot = named ? read_description(files, *named, {}, problems) : std::nullopt;
   const auto csv = read_csv(inputs);
   if (!csv) problems.add(csv.error());
   if (!robot || !csv) return bad();

@@ -34,7 +34,8 @@ Result<Controllers> make_controllers(const Prepared& prepared, const RunOptions&
   Controllers controllers;
   for (int robot = 0; robot < prepared.experiment.robots; ++robot) {
     const Identity identity{options.seed, options.episode, static_cast<std::uint32_t>(robot)};
-    auto made = Controller::compile(prepared.controller, prepared.robot->description, controller_kinds(), identity);
+    auto made =
+        Controller::compile(prepared.controller, prepared.application->description(), controller_kinds(), identity);
     if (!made) return tl::unexpected<Error>(made.error());
     controllers.push_back(std::make_unique<Controller>(std::move(*made)));
     Problems problems;
@@ -53,11 +54,14 @@ class Course {
         robots_(std::move(robots)),
         application_(std::move(application)),
         controllers_(std::move(controllers)) {
-    const RobotDescription& description = prepared.robot->description;
+    const Description& description = prepared.application->description();
     sense_.assign(controllers_.size(), make_sense_frame(description));
     act_.assign(controllers_.size(), make_act_frame(description));
     for (std::size_t i = 0; i < controllers_.size(); ++i) {
       if (witness() != nullptr) truth_digests_.push_back(truth_.join(static_cast<std::uint32_t>(i), "@truth"));
+    }
+    for (const LedgerForm& form : prepared.application->ledgers()) {
+      ledgers_.push_back(witness() != nullptr ? witness()->ledger(0, form.task) : nullptr);
     }
     if (witness() == nullptr) return;
     const auto channels = witness()->truth_channels();
@@ -91,15 +95,15 @@ class Course {
   const RunRobots& robots() const noexcept { return robots_; }
   /// Null where nobody knows the truth.
   const Witness* witness() const noexcept { return robots_.witness(); }
-  /// What robot 0's trainer keeps of its goals; null where there is none.
-  const Ledger* goals() const noexcept { return witness() != nullptr ? witness()->goals_of(0) : nullptr; }
+  /// What tasks keep of robot 0, in the order of the application's model; null where nobody knows it.
+  std::span<const Ledger* const> ledgers() const noexcept { return ledgers_; }
   /// The present instant as measures of robot 0 see it.
   Moment moment(double time_s) const noexcept {
     return {.time_s = time_s,
             .step_s = step_s_,
             .truth = witness() != nullptr ? witness()->truth_of(0) : std::span<const double>(),
             .signals = controllers_.front()->values(),
-            .goals = goals()};
+            .ledgers = ledgers_};
   }
   const Controllers& controllers() const noexcept { return controllers_; }
   std::string digest(const Interference& interference) const {
@@ -133,6 +137,7 @@ class Course {
   std::vector<std::size_t> truth_digests_;
   std::vector<std::size_t> digested_;   // channels of the truth
   std::vector<double> digested_truth_;  // of one robot
+  std::vector<const Ledger*> ledgers_;
 };
 
 Result<Course> make_course(const Prepared& prepared, const RunOptions& options, Result<RunRobots> robots) {
@@ -151,36 +156,26 @@ std::uint32_t ticks_of(const Prepared& prepared) {
   return static_cast<std::uint32_t>(std::max(1.0, std::round(prepared.experiment.duration_s / prepared.step_s)));
 }
 
-/// The truth of robot 0 where the same robots, faults included, start from the same poses and nothing stands in their
-/// way.
-Result<Unhindered> drive_free_ground(const Prepared& prepared, const RunOptions& options,
-                                     const std::vector<Pose2>& starts) {
-  auto course = make_course(prepared, options, RunRobots::simulate(prepared, prepared.open_ground, starts));
-  if (!course) return tl::unexpected<Error>(course.error());
-  Unhindered free{.channels = course->witness()->truth_channels().size()};
+/// The truth of robot 0 where the same application, faults included, begins as this one and nothing stands in its way;
+/// nothing where it is not asked for, or there is no such.
+Result<std::optional<Unhindered>> unhindered_of(const Prepared& prepared, const RunOptions& options,
+                                                const Course& course) {
+  if (!prepared.experiment.free_ground) return std::optional<Unhindered>();
+  auto application = prepared.application->unhindered(course.robots().application());
+  if (!application) return tl::unexpected<Error>(application.error());
+  if (*application == nullptr) return std::optional<Unhindered>();
+  auto other = make_course(prepared, options, RunRobots::make_here(std::move(*application)));
+  if (!other) return tl::unexpected<Error>(other.error());
+  Unhindered free{.channels = other->witness()->truth_channels().size()};
   const std::uint32_t ticks = ticks_of(prepared);
   for (std::uint32_t tick = 0; tick < ticks; ++tick) {
-    course->decide();
-    course->act();
-    const auto truth = course->witness()->truth_of(0);
+    other->decide();
+    other->act();
+    const auto truth = other->witness()->truth_of(0);
     free.values.insert(free.values.end(), truth.begin(), truth.end());
     if (options.stop && options.stop()) break;  // the run itself will see it too
   }
-  return free;
-}
-
-/// The same from where these robots start; nothing where there is no such ground, or nobody knows where they are.
-Result<std::optional<Unhindered>> free_ground_of(const Prepared& prepared, const RunOptions& options,
-                                                 const Course& course) {
-  const sim::Witness* witness = course.robots().witness();
-  if (prepared.open_ground == nullptr || !prepared.robot->simulated() || witness == nullptr) {
-    return std::optional<Unhindered>();
-  }
-  std::vector<Pose2> starts;
-  for (int i = 0; i < prepared.experiment.robots; ++i) starts.push_back(witness->truth(i).pose);
-  auto driven = drive_free_ground(prepared, options, starts);
-  if (!driven) return tl::unexpected<Error>(driven.error());
-  return std::optional<Unhindered>(std::move(*driven));
+  return std::optional<Unhindered>(std::move(free));
 }
 
 /// The stop rules of an experiment, looked at after every step.
@@ -239,16 +234,16 @@ void tell_digests(const Course& course, const Interference& interference, RunRes
   result.interventions = interference.count();
 }
 
-/// Requests that were concluded so far: then something may have been learned.
+/// Requests of tasks that were concluded so far: then something may have been learned.
 std::size_t concluded_goals(const Course& course) {
-  const Ledger* goals = course.goals();
-  if (goals == nullptr) return 0;
-  const auto columns = goals->columns();
-  const auto outcome =
-      std::find_if(columns.begin(), columns.end(), [](const auto& one) { return one.name == "outcome"; });
   std::size_t concluded = 0;
-  for (std::size_t row = 0; row < goals->rows() && outcome != columns.end(); ++row) {
-    concluded += goals->at(row, static_cast<std::size_t>(outcome - columns.begin())) != 0 ? 1 : 0;
+  for (const Ledger* ledger : course.ledgers()) {
+    if (ledger == nullptr) continue;
+    const auto columns = ledger->columns();
+    const auto outcome = std::ranges::find(columns, "outcome", &LedgerColumn::name);
+    for (std::size_t row = 0; row < ledger->rows() && outcome != columns.end(); ++row) {
+      concluded += ledger->at(row, static_cast<std::size_t>(outcome - columns.begin())) != 0 ? 1 : 0;
+    }
   }
   return concluded;
 }
@@ -267,16 +262,17 @@ Result<void> try_start(const Prepared& prepared) {
 Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
   auto course = make_course(prepared, options, RunRobots::make(prepared, options));
   if (!course) return tl::unexpected<Error>(course.error());
-  auto free_ground = free_ground_of(prepared, options, *course);
+  auto free_ground = unhindered_of(prepared, options, *course);
   if (!free_ground) return tl::unexpected<Error>(free_ground.error());
   MeasureList measured(prepared.scope());
   measured.begin(course->moment(0), *free_ground ? &**free_ground : nullptr);
   auto recording = Recording::start(prepared, options, course->robots(), course->controllers());
   if (!recording) return tl::unexpected<Error>(recording.error());
-  Interference interference(course->robots().simulation(), options.interventions, [&](const TimedIntervention& one) {
-    recording->write_intervention(one, one.tick * prepared.step_s);
-  });
-  if (options.reach) options.reach([&](const sim::Intervention& what) { return interference.reach(what); });
+  Interference interference(course->robots().here(), options.interventions,
+                            [&](const auto& descriptor, const auto& one) {
+                              recording->write_intervention(descriptor, one, one.tick * prepared.step_s);
+                            });
+  if (options.reach) options.reach([&](const Intervention& what) { return interference.reach(what); });
   if (auto done = interference.before(0); !done) return tl::unexpected<Error>(done.error());
 
   RunResult result;

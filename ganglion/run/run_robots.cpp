@@ -18,8 +18,11 @@ std::filesystem::path output_of(const RunOptions& options) {
   return output.replace_extension(".program.log");
 }
 
-link::RemoteConfig config_of(const LinkChoice& choice, const RunOptions& options) {
+link::RemoteConfig config_of(const Prepared& prepared, const RunOptions& options) {
+  const LinkChoice& choice = prepared.experiment.link;
+  const ApplicationModel& model = *prepared.application;
   link::RemoteConfig config;
+  config.truth = {{model.truth().begin(), model.truth().end()}, {model.ledgers().begin(), model.ledgers().end()}};
   config.end.name = fmt::format("ganglion {}", kVersion);
   config.end.encoding = choice.json ? link::Encoding::Json : link::Encoding::Binary;
   config.end.pace = choice.free_running ? link::wire::FREE_RUNNING : link::wire::LOCK_STEP;
@@ -31,23 +34,21 @@ link::RemoteConfig config_of(const LinkChoice& choice, const RunOptions& options
 
 Result<RunRobots> RunRobots::make(const Prepared& prepared, const RunOptions& options) {
   if (prepared.experiment.link.remote() && !options.in_process) return reach(prepared, options);
-  return simulate(prepared, prepared.ground, {});
+  auto application = prepared.application->make();
+  if (!application) return tl::unexpected<Error>(application.error());
+  return make_here(std::move(*application));
 }
 
-Result<RunRobots> RunRobots::simulate(const Prepared& prepared, std::shared_ptr<const sim::Ground> ground,
-                                      const std::vector<Pose2>& starts) {
-  auto simulation = sim::Simulation::make(prepared.simulation(std::move(ground), starts));
-  if (!simulation) return tl::unexpected<Error>(simulation.error());
+Result<RunRobots> RunRobots::make_here(std::unique_ptr<Application> application) {
   RunRobots robots;
-  robots.witness_ = robots.simulation_ = simulation->get();
-  robots.application_ = std::move(*simulation);
+  robots.application_ = std::move(application);
   return robots;
 }
 
 Result<RunRobots> RunRobots::reach(const Prepared& prepared, const RunOptions& options) {
   const LinkChoice& choice = prepared.experiment.link;
   RunRobots robots;
-  link::RemoteConfig config = config_of(choice, options);
+  link::RemoteConfig config = config_of(prepared, options);
   std::string address = choice.address;
   if (!choice.program.empty()) {
     const auto port = link::free_port();
@@ -64,7 +65,7 @@ Result<RunRobots> RunRobots::reach(const Prepared& prepared, const RunOptions& o
   }
   const auto parsed = link::parse_address(address);
   if (!parsed) return tl::unexpected<Error>(parsed.error());
-  auto remote = link::RemoteApplication::connect(link::make_line(*parsed), prepared.robot->description,
+  auto remote = link::RemoteApplication::connect(link::make_line(*parsed), prepared.application->description(),
                                                  prepared.experiment.robots, config);
   if (!remote && robots.program_ != nullptr) {
     const Text state = robots.program_->ended() ? Text{"ended", "terminó"} : Text{"runs", "sigue"};
@@ -76,7 +77,6 @@ Result<RunRobots> RunRobots::reach(const Prepared& prepared, const RunOptions& o
   }
   if (!remote) return tl::unexpected<Error>(remote.error());
   robots.remote_ = remote->get();
-  robots.witness_ = robots.remote_->witness();
   robots.application_ = std::move(*remote);
   robots.free_running_ = choice.free_running;
   return robots;

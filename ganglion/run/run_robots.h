@@ -8,22 +8,21 @@
 
 namespace ganglion {
 
-/// The robots of one run: simulated in this program, or at the other end of a link.
+/// The application of one run: in this program, or at the other end of a link.
 class RunRobots {
  public:
   /// As the experiment says. Fails where the robots find no place or cannot be reached.
   static Result<RunRobots> make(const Prepared& prepared, const RunOptions& options);
-  /// Simulated on that ground, from the given poses where there are any.
-  static Result<RunRobots> simulate(const Prepared& prepared, std::shared_ptr<const sim::Ground> ground,
-                                    const std::vector<Pose2>& starts);
+  /// In this program.
+  static Result<RunRobots> make_here(std::unique_ptr<Application> application);
 
   Application& application() const noexcept { return *application_; }
   /// Null where only the robots' own sensors tell of them.
-  const sim::Witness* witness() const noexcept { return witness_; }
-  /// Null where they are simulated here.
+  const Witness* witness() const noexcept { return application_->witness(); }
+  /// Null where it runs here.
   link::RemoteApplication* remote() const noexcept { return remote_; }
-  /// Null where they are not.
-  sim::Simulation* simulation() const noexcept { return simulation_; }
+  /// Null where it does not.
+  Application* here() const noexcept { return remote_ == nullptr ? application_.get() : nullptr; }
   /// Whether they have a clock of their own.
   bool free_running() const noexcept { return free_running_; }
 
@@ -32,9 +31,7 @@ class RunRobots {
 
   std::unique_ptr<link::Program> program_;  // outlives the link to it
   std::unique_ptr<Application> application_;
-  const sim::Witness* witness_ = nullptr;
   link::RemoteApplication* remote_ = nullptr;
-  sim::Simulation* simulation_ = nullptr;
   bool free_running_ = false;
 };
 

@@ -8,7 +8,6 @@
 #include "ganglion/base/text.h"
 #include "ganglion/link/wire/words.h"
 #include "ganglion/run/exhibit_writer.h"
-#include "ganglion/sim/world/scene.h"
 
 namespace ganglion {
 namespace {
@@ -32,32 +31,24 @@ std::vector<SignalColumn> columns_of(const Controller& controller, std::span<con
   return columns;
 }
 
-/// A signal that shows a sensor's range: the sensation that is bound to one of its channels.
-std::string signal_of(const std::string& sensor, const ControllerModel& model) {
+/// A signal that shows a device's range: the sensation that is bound to it.
+std::string signal_of(const std::string& device, const ControllerModel& model) {
   for (const ComponentModel& component : model.components) {
-    if (component.component_class == ComponentClass::Sensation && component.channel == sensor + ".range") {
-      return component.id;
-    }
+    const bool bound = component.channel == device + ".range" || component.channel == device;
+    if (component.component_class == ComponentClass::Sensation && bound) return component.id;
   }
   return "";
 }
 
-Json sensor_json(const sim::SensorModel& sensor, const sim::RobotModel& robot, const ControllerModel& model) {
-  Json json = {{"id", sensor.id},
-               {"kind", sensor.kind->descriptor.name},
-               {"x_m", sensor.mount.position.x},
-               {"y_m", sensor.mount.position.y},
-               {"yaw_rad", sensor.mount.yaw.rad()},
-               {"cone_rad", 0},
-               {"max_range_m", 0},
-               {"signal", signal_of(sensor.id, model)}};
-  if (sensor.kind->descriptor.parameter("cell_m") != nullptr) json["cell_m"] = sensor.parameters.real("cell_m");
-  if (sensor.kind->descriptor.parameter("cone_deg") != nullptr) {
-    json["cone_rad"] = Angle::from_deg(sensor.parameters.real("cone_deg")).rad();
-  }
-  if (const SensationChannel* range = robot.description.sensation(sensor.id + ".range"))
-    json["max_range_m"] = range->max;
-  return json;
+Json mount_json(const Mount& mount, const ControllerModel& model) {
+  return {{"id", mount.device},
+          {"kind", mount.kind},
+          {"x_m", mount.pose.position.x},
+          {"y_m", mount.pose.position.y},
+          {"yaw_rad", mount.pose.yaw.rad()},
+          {"cone_rad", mount.cone_rad},
+          {"max_range_m", mount.max_range_m},
+          {"signal", signal_of(mount.device, model)}};
 }
 
 Json coordinators_json(const ControllerModel& model) {
@@ -109,40 +100,15 @@ Text words_of(ReasonCode code) noexcept {
   return Text::same(name_of(code));
 }
 
-/// The same of a goal; of one that is open that it was set.
-Text words_of(sim::GoalOutcome outcome) noexcept {
-  switch (outcome) {
-    case sim::GoalOutcome::Open:
-      return {"set", "fijado"};
-    case sim::GoalOutcome::Reached:
-      return {"reached", "alcanzado"};
-    case sim::GoalOutcome::Withdrawn:
-      return {"withdrawn", "retirado"};
-    case sim::GoalOutcome::TimedOut:
-      return {"timed_out", "fuera de tiempo"};
-    case sim::GoalOutcome::Replaced:
-      return {"replaced", "reemplazado"};
-  }
-  return Text::same(name_of(outcome));
-}
-
-std::optional<double> goal_cell_of(const sim::RobotModel& robot) {
-  for (const sim::SensorModel& sensor : robot.sensors) {
-    if (sensor.kind->descriptor.parameter("cell_m") != nullptr && sensor.kind->descriptor.name == "Trainer") {
-      return sensor.parameters.real("cell_m");
-    }
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 RunWriter::RunWriter(RunSink& recorder, const Experiment& experiment, const ControllerModel& model,
-                     std::span<const TruthChannel> truth, const RunRobots& robots,
+                     const ApplicationModel& application, const RunRobots& robots,
                      const std::vector<std::unique_ptr<Controller>>& controllers)
     : recorder_(recorder),
       witness_(robots.witness()),
-      truth_(truth),
+      truth_(application.truth()),
+      ledgers_(application.ledgers()),
       remote_(robots.remote()),
       controllers_(controllers),
       maps_every_s_(experiment.maps_every_s),
@@ -152,6 +118,7 @@ RunWriter::RunWriter(RunSink& recorder, const Experiment& experiment, const Cont
     const auto columns = columns_of(*controllers[i], truth_);
     one.table = recorder.add_table(fmt::format("/robot{}/signals", i), columns);
     one.row.resize(columns.size());
+    one.ledgers.resize(ledgers_.size());
     one.statuses.assign(static_cast<std::size_t>(controllers[i]->components()), 0);
     robots_.push_back(std::move(one));
   }
@@ -162,19 +129,18 @@ RunWriter::RunWriter(RunSink& recorder, const Experiment& experiment, const Cont
   }
 }
 
-void RunWriter::write_scene(const sim::World& world, const sim::RobotModel& robot, const ControllerModel& model) {
-  recorder_.write_json("/scene", "ganglion.Scene", 0, sim::scene_json(world));
-  Json sensors = Json::array();
-  for (const sim::SensorModel& sensor : robot.sensors) sensors.push_back(sensor_json(sensor, robot, model));
-  Json robots = Json::array();
-  for (std::size_t i = 0; i < controllers_.size(); ++i) {
-    robots.push_back({{"name", robot.description.name},
-                      {"length_m", robot.description.length_m},
-                      {"width_m", robot.description.width_m},
-                      {"radius_m", robot.radius_m},
-                      {"sensors", sensors}});
+void RunWriter::write_scene(const std::string& scene, const Description& description, const ControllerModel& model) {
+  if (!scene.empty()) recorder_.write_json("/scene", "ganglion.Scene", 0, scene);
+  Json robot = {{"name", description.name}};
+  if (description.body) {
+    Json sensors = Json::array();
+    for (const Mount& mount : description.body->mounts) sensors.push_back(mount_json(mount, model));
+    robot.update({{"length_m", description.body->length_m},
+                  {"width_m", description.body->width_m},
+                  {"radius_m", description.body->radius_m},
+                  {"sensors", sensors}});
   }
-  goal_cell_m_ = goal_cell_of(robot).value_or(cell_m_);
+  const Json robots(controllers_.size(), robot);
   const Json run = {{"robots", robots}, {"coordinators", coordinators_json(model)}, {"cell_m", cell_m_}};
   recorder_.write_json("/run", "ganglion.Run", 0, run.dump());
 }
@@ -188,7 +154,7 @@ void RunWriter::write(std::uint32_t tick, double time_s) {
     std::copy(values.begin(), values.end(), robot.row.begin() + static_cast<std::ptrdiff_t>(truth_.size()));
     recorder_.write_row(robot.table, tick, time_s, robot.row);
     write_requests(static_cast<int>(i), time_s);
-    write_goals(static_cast<int>(i), time_s);
+    write_ledgers(static_cast<int>(i), time_s);
   }
   if (remote_ != nullptr) write_link(tick, time_s);
   if (time_s + 1e-9 < next_maps_s_) return;
@@ -196,11 +162,12 @@ void RunWriter::write(std::uint32_t tick, double time_s) {
   for (std::size_t i = 0; i < robots_.size(); ++i) write_exhibits(static_cast<int>(i), time_s);
 }
 
-void RunWriter::write_intervention(const TimedIntervention& one, double time_s) {
-  recorder_.write_json(kInterventionTopic, kInterventionSchema, time_s, intervention_json(one));
-  log(time_s, kInfo, "intervention", intervention_text(one));
+void RunWriter::write_intervention(const InterventionDescriptor& descriptor, const TimedIntervention& one,
+                                   double time_s) {
+  recorder_.write_json(kInterventionTopic, kInterventionSchema, time_s, intervention_json(descriptor, one));
+  log(time_s, kInfo, "intervention", text_of(descriptor, one.what));
   write_movers(time_s);
-  for (std::size_t i = 0; i < robots_.size(); ++i) write_goals(static_cast<int>(i), time_s);
+  for (std::size_t i = 0; i < robots_.size(); ++i) write_ledgers(static_cast<int>(i), time_s);
 }
 
 void RunWriter::write_truth(std::size_t robot) {
@@ -228,16 +195,16 @@ void RunWriter::write_link(std::uint32_t tick, double time_s) {
 }
 
 void RunWriter::write_movers(double time_s) {
-  const auto now = witness_ != nullptr ? witness_->movers() : std::span<const sim::MoverState>{};
+  const auto now = witness_ != nullptr ? witness_->movers() : std::span<const PlacedMover>{};
   std::uint64_t hash = 1;
-  for (const sim::MoverState& mover : now) {
+  for (const PlacedMover& mover : now) {
     hash = combine(hash, canonical_bits(mover.pose.position.x));
     hash = combine(hash, canonical_bits(mover.pose.position.y) ^ canonical_bits(mover.pose.yaw.rad()));
   }
   if (hash == movers_shown_ || now.empty()) return;
   movers_shown_ = hash;
   Json movers = Json::array();
-  for (const sim::MoverState& mover : now) {
+  for (const PlacedMover& mover : now) {
     movers.push_back({{"id", mover.id},
                       {"x_m", mover.pose.position.x},
                       {"y_m", mover.pose.position.y},
@@ -273,31 +240,40 @@ void RunWriter::write_requests(int robot, double time_s) {
   }
 }
 
-void RunWriter::write_goals(int robot, double time_s) {
-  const sim::TrainerLog* trainer = witness_ != nullptr ? witness_->trainer_log(robot) : nullptr;
-  if (trainer == nullptr) return;
-  Robot& one = robots_[static_cast<std::size_t>(robot)];
-  const auto goals = trainer->records();
-  std::vector<sim::GoalOutcome>& written = one.outcomes;
-  for (std::size_t g = written.empty() ? 0 : written.size() - 1; g < goals.size(); ++g) {
-    if (g == written.size()) {
-      written.push_back(goals[g].outcome);
-    } else if (written[g] != goals[g].outcome) {
-      written[g] = goals[g].outcome;
-    } else {
-      continue;
+void RunWriter::write_ledgers(int robot, double time_s) {
+  for (std::size_t n = 0; n < ledgers_.size() && witness_ != nullptr; ++n) {
+    const LedgerForm& form = ledgers_[n];
+    const Ledger* ledger = witness_->ledger(robot, form.task);
+    LedgerWritten& written = robots_[static_cast<std::size_t>(robot)].ledgers[n];
+    if (ledger == nullptr || ledger->changes() == written.changes) continue;
+    written.changes = ledger->changes();
+    const auto outcome = form.column("outcome");
+    for (std::size_t row = written.outcomes.empty() ? 0 : written.outcomes.size() - 1; row < ledger->rows(); ++row) {
+      const double now = outcome ? ledger->at(row, *outcome) : 0;
+      if (row < written.outcomes.size() && written.outcomes[row] == now) continue;
+      written.outcomes.resize(std::max(written.outcomes.size(), row + 1));
+      written.outcomes[row] = now;
+      write_row(robot, form, *ledger, row, time_s);
     }
-    const std::string_view state = goals[g].outcome == sim::GoalOutcome::Open ? "set" : name_of(goals[g].outcome);
-    const Json json = {{"index", g},
-                       {"x_m", (goals[g].goal.column + 0.5) * goal_cell_m_},
-                       {"y_m", (goals[g].goal.row + 0.5) * goal_cell_m_},
-                       {"state", state},
-                       {"reason", name_of(goals[g].reason)}};
-    recorder_.write_json(fmt::format("/robot{}/goals", robot), "ganglion.Goal", time_s, json.dump());
-    log(time_s, kInfo, "trainer",
-        say({"goal {} at cell {}, {}: {}", "objetivo {} en la celda {}, {}: {}"}, g + 1, goals[g].goal.column,
-            goals[g].goal.row, words_of(goals[g].outcome)));
   }
+}
+
+void RunWriter::write_row(int robot, const LedgerForm& form, const Ledger& ledger, std::size_t row, double time_s) {
+  std::vector<double> values;
+  for (std::size_t n = 0; n < form.columns.size(); ++n) values.push_back(ledger.at(row, n));
+  if (!form.line.empty()) log(time_s, kInfo, form.task, row_text(form, row, values));
+  const auto x = form.column("x_m"), y = form.column("y_m"), outcome = form.column("outcome"),
+             reason = form.column("reason");
+  if (!x || !y || !outcome) return;  // it has no place
+  const auto& words = form.columns[*outcome].words;
+  const auto state = static_cast<std::size_t>(std::clamp(values[*outcome], 0.0, 255.0));
+  const auto why = static_cast<ReasonCode>(reason ? std::clamp(values[*reason], 0.0, 65535.0) : 0);
+  const Json json = {{"index", row},
+                     {"x_m", values[*x]},
+                     {"y_m", values[*y]},
+                     {"state", state < words.size() ? words[state].en : std::to_string(state)},
+                     {"reason", name_of(why)}};
+  recorder_.write_json(fmt::format("/robot{}/goals", robot), "ganglion.Goal", time_s, json.dump());
 }
 
 void RunWriter::write_exhibits(int robot, double time_s) {

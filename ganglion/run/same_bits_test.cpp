@@ -82,10 +82,10 @@ TEST(SameBits, ForAnHour) {
 
 TEST(SameBits, AfterAResetAsInAFreshSimulation) {
   const Prepared office = nimrod(20);
-  const auto drive = [&](sim::Simulation& simulation, std::uint64_t seed) {
+  const auto drive = [&](Application& simulation, std::uint64_t seed) {
     EXPECT_TRUE(simulation.reset(seed, 0));
-    std::vector<SenseFrame> sense = {make_sense_frame(office.robot->description)};
-    std::vector<ActFrame> act = {make_act_frame(office.robot->description)};
+    std::vector<SenseFrame> sense = {make_sense_frame(office.application->description())};
+    std::vector<ActFrame> act = {make_act_frame(office.application->description())};
     std::vector<double> values;
     for (int tick = 0; tick < 300; ++tick) {
       simulation.sense(sense);
@@ -100,9 +100,9 @@ TEST(SameBits, AfterAResetAsInAFreshSimulation) {
     for (const double value : values) bits.push_back(canonical_bits(value));
     return bits;
   };
-  auto used = *sim::Simulation::make(office.simulation(office.ground, {}));
+  auto used = *office.application->make();
   const auto other = drive(*used, 8);
-  auto fresh = *sim::Simulation::make(office.simulation(office.ground, {}));
+  auto fresh = *office.application->make();
   const auto expected = drive(*fresh, 9);
   EXPECT_EQ(drive(*used, 9), expected);
   EXPECT_NE(other, expected);

@@ -6,6 +6,7 @@
 #include "ganglion/config/testing/schema_validator.h"
 #include "ganglion/graph/model.h"
 #include "ganglion/graph/schema.h"
+#include "ganglion/kinds/applications.h"
 #include "ganglion/kinds/kinds.h"
 #include "ganglion/run/check_file.h"
 #include "ganglion/run/experiment.h"
@@ -41,9 +42,15 @@ const std::vector<FileType>& file_types() {
        [](const std::string& text, const std::string& file, Problems& problems) {
          parse_experiment(text, file, problems);
        }},
-      {"robot", Json::parse(sim::robot_schema(sim_kinds())),
+      {"robot", Json::parse(robot_schema()),
        [](const std::string& text, const std::string& file, Problems& problems) {
          sim::parse_robot(text, file, sim_kinds(), problems);
+       }},
+      {"plant", Json::parse(plant_schema()),
+       [](const std::string& text, const std::string& file, Problems& problems) {
+         const auto root = config::parse(text, file);
+         if (!root) return problems.add(root.error());
+         read_application({.file = *root}, problems);
        }},
       {"world", Json::parse(sim::world_schema()),
        [](const std::string& text, const std::string& file, Problems& problems) {
@@ -248,6 +255,7 @@ TEST(Schemas, HaveTheKeysThatTheReadersAsk) {
 TEST(Schemas, AreMadeFromSamplesThatBringTheReadersToAskEverything) {
   EXPECT_EQ(config::unasked_keys(experiment_outlines()), config::KeyNames{});
   EXPECT_EQ(config::unasked_keys(sim::robot_outlines(sim_kinds())), config::KeyNames{});
+  EXPECT_EQ(config::unasked_keys(plant_outlines()), config::KeyNames{});
   EXPECT_EQ(config::unasked_keys(sim::world_outlines()), config::KeyNames{});
 }
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <vector>
 
@@ -27,16 +26,19 @@ std::vector<fs::path> files_of(const fs::path& folder) {
 /// What every robot sensed, did and was, component by component, and what it has learned.
 class Course {
  public:
-  Course(const Prepared& prepared, std::unique_ptr<sim::Simulation> simulation)
-      : step_s_(prepared.step_s), simulation_(std::move(simulation)) {
-    const RobotDescription& description = prepared.robot->description;
-    sense_.assign(static_cast<std::size_t>(simulation_->robots()), make_sense_frame(description));
+  Course(const Prepared& prepared, std::unique_ptr<Application> application)
+      : step_s_(prepared.step_s), application_(std::move(application)) {
+    const Description& description = prepared.application->description();
+    sense_.assign(static_cast<std::size_t>(application_->robots()), make_sense_frame(description));
     act_.assign(sense_.size(), make_act_frame(description));
+    for (const char* name : {"x_m", "y_m", "yaw_rad", "energy_J", "fastest_contact_mps", "value"}) {
+      if (const auto index = index_of(prepared.application->truth(), name)) probed_.push_back(*index);
+    }
   }
 
   Result<void> add_controllers(const Prepared& prepared) {
     for (std::uint32_t robot = 0; robot < sense_.size(); ++robot) {
-      auto made = Controller::compile(prepared.controller, prepared.robot->description, controller_kinds(),
+      auto made = Controller::compile(prepared.controller, prepared.application->description(), controller_kinds(),
                                       {.seed = kSeed, .robot = robot});
       if (!made) return tl::unexpected(made.error());
       controllers_.push_back(std::move(*made));
@@ -47,15 +49,15 @@ class Course {
 
   void drive() {
     for (std::uint32_t tick = 0; tick < kTicks; ++tick) {
-      simulation_->sense(sense_);
+      application_->sense(sense_);
       for (std::size_t i = 0; i < controllers_.size(); ++i) {
         controllers_[i].tick(sense_[i], step_s_, act_[i]);
-        const sim::Truth& truth = simulation_->truth(static_cast<int>(i));
-        truth_.add(i, tick,
-                   std::array{truth.pose.position.x, truth.pose.position.y, truth.pose.yaw.rad(), truth.energy_J,
-                              truth.fastest_contact_mps});
+        const auto truth = application_->witness()->truth_of(static_cast<int>(i));
+        std::vector<double> values;
+        for (const std::size_t index : probed_) values.push_back(truth[index]);
+        truth_.add(i, tick, values);
       }
-      simulation_->step(act_, step_s_);
+      application_->step(act_, step_s_);
       for (Controller& controller : controllers_) controller.grow();
     }
   }
@@ -82,19 +84,19 @@ class Course {
   }
 
   double step_s_;
-  std::unique_ptr<sim::Simulation> simulation_;
+  std::unique_ptr<Application> application_;
+  std::vector<std::size_t> probed_;  // channels of the truth
   std::vector<Controller> controllers_;
   std::vector<SenseFrame> sense_;
   std::vector<ActFrame> act_;
   Digest truth_;
 };
 
-Result<void> drive(Prepared prepared, int robots, const std::string& name) {
-  prepared.experiment.robots = robots;
-  auto simulation = sim::Simulation::make(prepared.simulation(prepared.ground, {}));
-  if (!simulation) return tl::unexpected(simulation.error());
-  if (auto reset = (*simulation)->reset(kSeed, 0); !reset) return tl::unexpected(reset.error());
-  Course course(prepared, std::move(*simulation));
+Result<void> drive(const Prepared& prepared, const std::string& name) {
+  auto application = prepared.application->make();
+  if (!application) return tl::unexpected(application.error());
+  if (auto reset = (*application)->reset(kSeed, 0); !reset) return tl::unexpected(reset.error());
+  Course course(prepared, std::move(*application));
   if (auto added = course.add_controllers(prepared); !added) return added;
   course.drive();
   course.tell_all(name);
@@ -102,17 +104,18 @@ Result<void> drive(Prepared prepared, int robots, const std::string& name) {
 }
 
 bool probe_controller(const fs::path& experiment, const fs::path& controller) {
-  Problems problems;
-  const auto prepared = prepare(experiment, {}, problems, {.experiment = {}, .controller = controller});
-  if (!prepared) {
-    std::fprintf(stderr, "%s\n", problems.text().c_str());
-    return false;
-  }
   const std::string name = (experiment.filename() / controller.filename()).generic_string();
-  for (const int robots : {1, 4}) {
+  for (const char* robots : {"1", "4"}) {
+    Problems problems;
+    const auto prepared = prepare(experiment, {{"application.robots", robots}}, problems,
+                                  {.experiment = {}, .controller = controller});
+    if (!prepared) {
+      std::fprintf(stderr, "%s\n", problems.text().c_str());
+      return false;
+    }
     const std::string which = fmt::format("{} x{}", name, robots);
-    if (auto driven = drive(*prepared, robots, which); !driven) {
-      if (robots == 1) {
+    if (auto driven = drive(*prepared, which); !driven) {
+      if (prepared->experiment.robots == 1) {
         std::fprintf(stderr, "%s: %s\n", which.c_str(), driven.error().text().c_str());
         return false;
       }

@@ -18,7 +18,7 @@ struct Signals {
   }
 };
 
-Signals sensations_named(std::string_view target, const RobotDescription& robot) {
+Signals sensations_named(std::string_view target, const Description& robot) {
   Signals signals;
   for (std::size_t c = 0; c < robot.sensations.size(); ++c) {
     const std::string& name = robot.sensations[c].name;
@@ -29,7 +29,7 @@ Signals sensations_named(std::string_view target, const RobotDescription& robot)
   return signals;
 }
 
-Signals commands_named(std::string_view target, const RobotDescription& robot) {
+Signals commands_named(std::string_view target, const Description& robot) {
   Signals signals{.commands = true, .values = {}, .channels = {}};
   for (std::size_t c = 0; c < robot.commands.size(); ++c) {
     const CommandChannel& command = robot.commands[c];
@@ -43,7 +43,7 @@ Signals commands_named(std::string_view target, const RobotDescription& robot) {
   return signals;
 }
 
-std::vector<std::string> known_targets(const RobotDescription& robot) {
+std::vector<std::string> known_targets(const Description& robot) {
   std::vector<std::string> names = {"frames", "commands"};
   for (const SensationChannel& channel : robot.sensations) {
     const std::string device = channel.name.substr(0, channel.name.find('.'));
@@ -57,7 +57,7 @@ std::vector<std::string> known_targets(const RobotDescription& robot) {
   return names;
 }
 
-Result<Signals> signals_named(const std::string& target, const Fault& fault, const RobotDescription& robot) {
+Result<Signals> signals_named(const std::string& target, const Fault& fault, const Description& robot) {
   Signals signals = sensations_named(target, robot);
   if (signals.values.empty()) signals = commands_named(target, robot);
   if (!signals.values.empty()) return signals;
@@ -106,7 +106,7 @@ std::string Fault::text() const {
   return amount != 0 ? text + fmt::format(" {:.3g}", amount) : text;
 }
 
-Result<FaultSite> site_of(const Fault& fault, const RobotDescription& robot) {
+Result<FaultSite> site_of(const Fault& fault, const Description& robot) {
   if (const Text complaint = complaint_on(fault); !complaint.empty())
     return fail_at(fault.place, ErrorCode::BadParameter, {"{}", "{}"}, complaint);
   auto signals = signals_named(fault.target, fault, robot);

@@ -55,6 +55,6 @@ struct FaultSite {
 
 /// Fails with UnknownKey where a target names nothing, BadParameter where the amount makes no sense for the kind or the
 /// two targets of a swap differ in shape, each with the fault's place.
-Result<FaultSite> site_of(const Fault& fault, const RobotDescription& robot);
+Result<FaultSite> site_of(const Fault& fault, const Description& robot);
 
 }  // namespace ganglion

@@ -15,7 +15,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-FaultPlan::FaultPlan(const Fault& of, FaultSite at, const RobotDescription& robot, double step)
+FaultPlan::FaultPlan(const Fault& of, FaultSite at, const Description& robot, double step)
     : fault(of), site(std::move(at)), step_s(step) {
   const auto one = [&](double one_dead, double one_min, double one_max, bool one_circular) {
     dead.push_back(one_dead);
@@ -140,8 +140,7 @@ void FaultAtWork::spoil(std::span<double> values, std::span<double> clocks, std:
 }
 
 Result<std::vector<std::shared_ptr<const FaultPlan>>> plan_faults(const std::vector<Fault>& faults,
-                                                                  const RobotDescription& robot, int robots,
-                                                                  double step_s) {
+                                                                  const Description& robot, int robots, double step_s) {
   expects(step_s > 0);
   if (faults.size() > kMaxFaults)
     return fail_at(faults[kMaxFaults].place, ErrorCode::TooLarge,

@@ -12,7 +12,7 @@ namespace ganglion {
 
 /// What a fault's work on every robot has in common.
 struct FaultPlan {
-  FaultPlan(const Fault& of, FaultSite at, const RobotDescription& robot, double step_s);
+  FaultPlan(const Fault& of, FaultSite at, const Description& robot, double step_s);
 
   Fault fault;
   FaultSite site;
@@ -57,8 +57,7 @@ inline constexpr double kMaxFaultBytes = 256.0 * (1 << 20);
 /// What each fault does to robots of that kind. Fails as site_of() does; with TooLarge over kMaxFaults or, at the fault
 /// that is too much, over kMaxFaultBytes for so many robots and a time step of step_s.
 Result<std::vector<std::shared_ptr<const FaultPlan>>> plan_faults(const std::vector<Fault>& faults,
-                                                                  const RobotDescription& robot, int robots,
-                                                                  double step_s);
+                                                                  const Description& robot, int robots, double step_s);
 
 /// An application whose sensations and commands suffer the given faults, in their order. With no fault it is the
 /// application itself, to the bit; what a fault draws depends on seed, episode, robot, the fault's own words and tick.
@@ -69,7 +68,7 @@ class FaultyApplication final : public Application {
   static Result<std::unique_ptr<FaultyApplication>> make(Application& inner, const std::vector<Fault>& faults,
                                                          double step_s);
 
-  const RobotDescription& description() const noexcept override { return inner_.description(); }
+  const Description& description() const noexcept override { return inner_.description(); }
   int robots() const noexcept override { return inner_.robots(); }
   Result<void> reset(std::uint64_t seed, std::uint32_t episode) override;
   void sense(std::span<SenseFrame> frames) noexcept override;

@@ -17,7 +17,7 @@ class Counter final : public Application {
     description_.sensations[0].dead = -7;
     description_.commands = {{"drive", {{.name = "left"}, {.name = "right", .unit = "", .safe = 0.25}}}};
   }
-  const RobotDescription& description() const noexcept override { return description_; }
+  const Description& description() const noexcept override { return description_; }
   int robots() const noexcept override { return 1; }
   Result<void> reset(std::uint64_t, std::uint32_t) override {
     tick_ = 0;
@@ -36,7 +36,7 @@ class Counter final : public Application {
   ActFrame told;
 
  private:
-  RobotDescription description_;
+  Description description_;
   std::uint32_t tick_ = 0;
 };
 

@@ -147,8 +147,8 @@ inline constexpr std::array<const ActingModuleKind*, 2> kActing = {&kBack, &kGoT
 inline constexpr std::array<const CoordinatorKind*, 1> kCoordinators = {&kFirst};
 inline constexpr KindList kKinds = {kSensing, kGoals, kActing, kCoordinators};
 
-inline RobotDescription robot() {
-  RobotDescription robot;
+inline Description robot() {
+  Description robot;
   robot.name = "Example";
   robot.sensations = {{"sonar_left.range", "m"},
                       {"sonar_right.range", "m"},

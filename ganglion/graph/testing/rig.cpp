@@ -18,8 +18,8 @@ Controller must_compile(std::string_view text, const Identity& identity) {
 
 }  // namespace
 
-RobotDescription test_robot() {
-  RobotDescription robot;
+Description test_robot() {
+  Description robot;
   robot.name = "test";
   robot.sensations = {
       {.name = "place", .unit = "m"},
@@ -39,7 +39,7 @@ RobotDescription test_robot() {
   return robot;
 }
 
-Result<Controller> compiled(std::string_view text, Problems& problems, const RobotDescription& robot,
+Result<Controller> compiled(std::string_view text, Problems& problems, const Description& robot,
                             const Identity& identity) {
   const auto value = config::parse("format = 1\n" + std::string(text), "controller.toml");
   if (!value) {

@@ -14,10 +14,10 @@ namespace ganglion::testing {
 /// A robot to draw controllers for: sensations place [m], heading [rad], cell {column, row}, pair {x, y} and the plain
 /// numbers a, b, c, d; commands drive {left, right} in [-1, 1], move {x} in [-10, 10] and grip {force} in [0, 5], safe
 /// at 2.
-RobotDescription test_robot();
+Description test_robot();
 
 /// Reads, resolves and compiles a controller file's text, with `format = 1` put before it as line 1.
-Result<Controller> compiled(std::string_view text, Problems& problems, const RobotDescription& robot = test_robot(),
+Result<Controller> compiled(std::string_view text, Problems& problems, const Description& robot = test_robot(),
                             const Identity& identity = {});
 /// Every problem of a controller file, one a line: "controller.toml:line:column: ...". The text begins at line 2.
 std::string problems_of(std::string_view text);
@@ -55,7 +55,7 @@ class Rig {
 
  private:
   std::size_t channel_index(std::string_view channel) const;
-  RobotDescription robot_;
+  Description robot_;
 };
 
 }  // namespace ganglion::testing

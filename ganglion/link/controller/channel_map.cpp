@@ -4,7 +4,7 @@
 
 namespace ganglion::link {
 
-ChannelMap::ChannelMap(const RobotDescription& file, const RobotDescription& robot) {
+ChannelMap::ChannelMap(const Description& file, const Description& robot) {
   for (const SensationChannel& channel : file.sensations) {
     const SensationChannel* theirs = robot.sensation(channel.name);
     expects(theirs != nullptr && theirs->size() == channel.size());

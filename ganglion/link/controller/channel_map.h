@@ -11,7 +11,7 @@ namespace ganglion::link {
 class ChannelMap {
  public:
   /// Every channel of `file` is in `robot`, with as many elements.
-  ChannelMap(const RobotDescription& file, const RobotDescription& robot);
+  ChannelMap(const Description& file, const Description& robot);
   void to_file(const SenseFrame& robot, SenseFrame& file) const noexcept;
   void to_robot(const ActFrame& file, ActFrame& robot) const noexcept;
 

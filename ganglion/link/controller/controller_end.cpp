@@ -81,6 +81,7 @@ void ControllerEnd::ask_again(double now_s) {
   if (!greeted_) {
     wire::Hello hello;
     hello.set_major(1);
+    hello.set_minor(1);
     hello.set_name(config_.name);
     hello.set_token(token_);
     hello.set_last_tick(sense_.tick());

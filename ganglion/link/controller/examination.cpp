@@ -98,10 +98,14 @@ class Examination {
                              robot.error().what));
     }
     description_ = *robot;
-    tell(true, say({"it is \"{}\", {} robot{}, {} m long and {} m wide, a tick each {} s",
-                    "es \"{}\", {} robot{}, de {} m de largo y {} m de ancho, un ciclo cada {} s"},
-                   robot->name, std::max(1u, told.robots()), told.robots() > 1 ? "s" : "", shortest(robot->length_m),
-                   shortest(robot->width_m), shortest(robot->tick_s)));
+    Sentence size;
+    if (robot->body) {
+      size = say({", {} m long and {} m wide", ", de {} m de largo y {} m de ancho"}, shortest(robot->body->length_m),
+                 shortest(robot->body->width_m));
+    }
+    tell(true,
+         say({"it is \"{}\", {} robot{}{}, a tick each {} s", "es \"{}\", {} robot{}{}, un ciclo cada {} s"},
+             robot->name, std::max(1u, told.robots()), told.robots() > 1 ? "s" : "", size, shortest(robot->tick_s)));
     std::vector<std::string> sensations, commands;
     for (const SensationChannel& channel : robot->sensations) {
       sensations.push_back(channel.name + (channel.unit.empty() ? "" : " [" + channel.unit + "]"));
@@ -229,7 +233,7 @@ class Examination {
   const Say& say_;
   const ExaminationOptions& options_;
   std::vector<char> room_;
-  std::optional<RobotDescription> description_;
+  std::optional<Description> description_;
   bool good_ = true;
 };
 

@@ -12,7 +12,7 @@ constexpr double kStuck_s = 3;  // the other side takes nothing
 
 }  // namespace
 
-RemoteApplication::RemoteApplication(std::unique_ptr<Line> line, const RobotDescription& file, int robots,
+RemoteApplication::RemoteApplication(std::unique_ptr<Line> line, const Description& file, int robots,
                                      const RemoteConfig& config)
     : line_(std::move(line)), file_(file), robots_(robots), config_(config), end_(config.end), room_(kRoomBytes) {}
 
@@ -26,7 +26,7 @@ RemoteApplication::~RemoteApplication() {
 }
 
 Result<std::unique_ptr<RemoteApplication>> RemoteApplication::connect(std::unique_ptr<Line> line,
-                                                                      const RobotDescription& file, int robots,
+                                                                      const Description& file, int robots,
                                                                       const RemoteConfig& config) {
   RemoteConfig mine = config;
   mine.end.carrier = line->carrier();
@@ -78,7 +78,11 @@ Result<void> RemoteApplication::compare() {
   map_.emplace(file_, *robot);
   sense_.assign(static_cast<std::size_t>(robots_), make_sense_frame(*robot));
   act_.assign(static_cast<std::size_t>(robots_), make_act_frame(*robot));
-  if (describe.truth() && config_.end.truth) witness_ = std::make_unique<RemoteWitness>(describe);
+  if (RemoteWitness::told(describe) && config_.end.truth && !config_.truth.channels.empty()) {
+    auto witness = RemoteWitness::make(describe, config_.truth);
+    if (!witness) return fail(ErrorCode::LinkLost, {"{}: {}", "{}: {}"}, line_->address(), witness.error().what);
+    witness_ = std::make_unique<RemoteWitness>(std::move(*witness));
+  }
   take_sense(true);
   if (failure() != nullptr) return tl::unexpected<Error>(error());
   return {};
@@ -126,7 +130,7 @@ void RemoteApplication::take_sense(bool first) noexcept {
             robots_, sense_.size() * one.values.size(), sense_.size() * one.ages_s.size()));
   }
   if (witness_ == nullptr) return;
-  if (auto taken = witness_->take(message, first); !taken) end_.fail(taken.error().what);
+  if (auto taken = witness_->take(message, sense_.front().time_s, first); !taken) end_.fail(taken.error().what);
 }
 
 void RemoteApplication::await() noexcept {

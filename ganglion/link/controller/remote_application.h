@@ -15,6 +15,7 @@ struct RemoteConfig {
   ControllerEndConfig end;
   double reach_s = 0;          ///< How long to try to reach it the first time: for robots that are just being started.
   std::function<bool()> stop;  ///< Asked while waiting; true gives up.
+  HopedTruth truth;            ///< What the file knows of it besides; whoever does not tell it is driven without.
 };
 
 /// Robots at the other end of a line, as an application. What breaks on the way is mended while it can be; then
@@ -23,22 +24,22 @@ class RemoteApplication final : public Application {
  public:
   /// Connects and compares what the robot says of itself with the file a controller was drawn for. Fails with LinkLost,
   /// in words that say what to do, also where the controller could not drive it.
-  static Result<std::unique_ptr<RemoteApplication>> connect(std::unique_ptr<Line> line, const RobotDescription& file,
+  static Result<std::unique_ptr<RemoteApplication>> connect(std::unique_ptr<Line> line, const Description& file,
                                                             int robots, const RemoteConfig& config);
   /// Says goodbye, so that the robot takes its safe values at once.
   ~RemoteApplication() override;
   RemoteApplication(const RemoteApplication&) = delete;
   RemoteApplication& operator=(const RemoteApplication&) = delete;
 
-  const RobotDescription& description() const noexcept override { return file_; }
+  const Description& description() const noexcept override { return file_; }
   int robots() const noexcept override { return robots_; }
   Result<void> reset(std::uint64_t seed, std::uint32_t episode) override;
   void sense(std::span<SenseFrame> frames) noexcept override;
   void step(std::span<const ActFrame> frames, double step_s) noexcept override;
   const Error* failure() const noexcept override { return end_.failure() ? &*end_.failure() : nullptr; }
 
-  /// Null where the robot does not know it.
-  const sim::Witness* witness() const noexcept { return witness_.get(); }
+  /// Null where the robot does not tell it.
+  const Witness* witness() const noexcept override { return witness_.get(); }
   const LinkStatistics& statistics() const noexcept { return end_.statistics(); }
   /// What the robot told since the last call.
   std::vector<wire::Event> take_events() { return end_.take_events(); }
@@ -46,7 +47,7 @@ class RemoteApplication final : public Application {
   const std::vector<Difference>& differences() const noexcept { return differences_; }
 
  private:
-  RemoteApplication(std::unique_ptr<Line> line, const RobotDescription& file, int robots, const RemoteConfig& config);
+  RemoteApplication(std::unique_ptr<Line> line, const Description& file, int robots, const RemoteConfig& config);
   Result<void> greet();
   Result<void> compare();
   /// Carries bytes until what was asked for is there, or the end has failed.
@@ -59,7 +60,7 @@ class RemoteApplication final : public Application {
   Error error() const;
 
   std::unique_ptr<Line> line_;
-  RobotDescription file_;
+  Description file_;
   int robots_;
   RemoteConfig config_;
   ControllerEnd end_;

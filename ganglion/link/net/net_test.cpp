@@ -34,7 +34,7 @@ TEST(Address, IsReadAsPeopleWriteIt) {
 /// A robot that listens on a port of this machine, served by a thread of its own.
 class Served {
  public:
-  Served() : end_(robot_, nullptr, config()), serving_(end_) {}
+  Served() : end_(robot_, config()), serving_(end_) {}
   void stop() { serving_.stop(); }
   const Address& address() const { return serving_.address(); }
   std::unique_ptr<Line> line() const { return make_line(serving_.address()); }

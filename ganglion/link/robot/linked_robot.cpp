@@ -6,8 +6,7 @@
 
 namespace ganglion::link {
 
-LinkedRobot::LinkedRobot(Application& application, const sim::Witness* witness)
-    : application_(application), witness_(witness) {
+LinkedRobot::LinkedRobot(Application& application) : application_(application), witness_(application.witness()) {
   const auto robots = static_cast<std::size_t>(application.robots());
   sense_.assign(robots, make_sense_frame(description()));
   act_.assign(robots, make_act_frame(description()));
@@ -15,9 +14,7 @@ LinkedRobot::LinkedRobot(Application& application, const sim::Witness* witness)
   write_description(description(), describe_);
   describe_.set_robots(static_cast<std::uint32_t>(robots));
   describe_.set_truth(has_truth());
-  if (has_truth()) {
-    for (const sim::MoverState& mover : witness_->movers()) describe_.add_movers(std::string(mover.id));
-  }
+  if (has_truth()) describe_truth(*witness_, describe_);
   look();
 }
 
@@ -81,17 +78,18 @@ void LinkedRobot::write(bool floats, wire::Sense& out) const {
   out.set_tick(tick_);
 }
 
-void LinkedRobot::write_truths(std::vector<GoalsTold>& told, wire::Sense& out) const {
-  out.clear_truths();
+void LinkedRobot::write_no_truth(wire::Sense& out) {
+  out.clear_truth_values();
+  out.clear_rows();
+  out.clear_done();
   out.mutable_movers()->Clear();
+}
+
+void LinkedRobot::write_truth(RowsTold& told, wire::Sense& out) const {
+  write_no_truth(out);
   if (!has_truth()) return;
-  told.resize(sense_.size());
-  write_movers(witness_->movers(), out);
-  for (std::size_t n = 0; n < sense_.size(); ++n) {
-    wire::Truth& truth = *out.add_truths();
-    write_truth(witness_->truth(static_cast<int>(n)), truth);
-    if (const sim::TrainerLog* log = witness_->trainer_log(static_cast<int>(n))) told[n].tell(*log, truth);
-  }
+  link::write_truth(*witness_, application_.robots(), out);
+  told.tell(*witness_, application_.robots(), out);
 }
 
 }  // namespace ganglion::link

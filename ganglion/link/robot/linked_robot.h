@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "ganglion/link/robot/truth_writer.h"
+#include "ganglion/link/robot/truth_teller.h"
 #include "ganglion/link/wire/frames.h"
 
 namespace ganglion::link {
@@ -10,11 +10,10 @@ namespace ganglion::link {
 /// The robots of an application as the link sees them: the present tick, its frames, and the commands that hold.
 class LinkedRobot {
  public:
-  /// `witness` is null where nothing but sensations is known. Both outlive this; the application has been
-  /// reset.
-  LinkedRobot(Application& application, const sim::Witness* witness);
+  /// The application outlives this; it has been reset.
+  explicit LinkedRobot(Application& application);
 
-  const RobotDescription& description() const noexcept { return application_.description(); }
+  const Description& description() const noexcept { return application_.description(); }
   bool has_truth() const noexcept { return witness_ != nullptr; }
   const wire::Describe& describe() const noexcept { return describe_; }
   std::uint32_t tick() const noexcept { return tick_; }
@@ -32,13 +31,16 @@ class LinkedRobot {
   void age_commands(double elapsed_s, double keep_s = 0) noexcept;
 
   void write(bool floats, wire::Sense& out) const;
-  void write_truths(std::vector<GoalsTold>& told, wire::Sense& out) const;
+  /// What is true now, and what the listener does not know of yet.
+  void write_truth(RowsTold& told, wire::Sense& out) const;
+  /// None of it.
+  static void write_no_truth(wire::Sense& out);
 
  private:
   void look() noexcept;
 
   Application& application_;
-  const sim::Witness* witness_;
+  const Witness* witness_;  // of the application; null where nothing but sensations is known
   wire::Describe describe_;
   std::vector<SenseFrame> sense_;
   std::vector<ActFrame> act_, taken_;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ganglion/link/robot/truth_writer.h"
+#include "ganglion/link/robot/truth_teller.h"
 #include "ganglion/link/wire/codec.h"
 
 namespace ganglion::link {
@@ -46,7 +46,7 @@ struct Peer {
   double unread_s;  ///< When its side last took bytes, or had none to take.
   std::string out;  ///< Bytes for it, of which `sent` are gone.
   std::size_t sent = 0;
-  std::vector<GoalsTold> told;
+  RowsTold told;
   std::uint32_t skipped = 0;  ///< Sense frames it was too slow for.
 };
 

@@ -18,8 +18,7 @@ constexpr double kInf = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-RobotEnd::RobotEnd(Application& application, const sim::Witness* witness, RobotEndConfig config)
-    : config_(std::move(config)), robot_(application, witness) {
+RobotEnd::RobotEnd(Application& application, RobotEndConfig config) : config_(std::move(config)), robot_(application) {
   expects(config_.token != nullptr);
 }
 
@@ -105,12 +104,11 @@ void RobotEnd::send_sense(Peer& peer, bool everything) {
     return;
   }
   robot_.write(peer.floats, sense_);
-  if (everything) peer.told.clear();
+  if (everything) peer.told = {};
   if (peer.truth) {
-    robot_.write_truths(peer.told, sense_);
+    robot_.write_truth(peer.told, sense_);
   } else {
-    sense_.clear_truths();
-    sense_.mutable_movers()->Clear();
+    LinkedRobot::write_no_truth(sense_);
   }
   send(peer, sense_);
 }

@@ -28,8 +28,8 @@ struct RobotEndConfig {
 class RobotEnd {
  public:
   using PeerId = std::uint32_t;
-  /// Application and witness (which may be null) outlive it. The application has been reset.
-  RobotEnd(Application& application, const sim::Witness* witness, RobotEndConfig config);
+  /// The application outlives it; it has been reset.
+  RobotEnd(Application& application, RobotEndConfig config);
 
   /// A connection came. Serial lines are one connection that never ends: a Hello begins it anew.
   PeerId open(Carrier carrier, std::string name, double now_s);

@@ -13,7 +13,7 @@ namespace {
 /// A robot's end and people who type JSON at it.
 class RobotEndTest : public ::testing::Test {
  protected:
-  RobotEndTest() : end_(robot_, nullptr, robot_config()) { EXPECT_TRUE(robot_.reset(1, 0)); }
+  RobotEndTest() : end_(robot_, robot_config()) { EXPECT_TRUE(robot_.reset(1, 0)); }
 
   RobotEnd::PeerId open() { return end_.open(Carrier::Stream, "somebody", now_s_); }
   /// What comes back.
@@ -49,7 +49,7 @@ class RobotEndTest : public ::testing::Test {
 TEST_F(RobotEndTest, AnswersAsThePageSays) {
   const auto peer = open();
   EXPECT_EQ(say(peer, kHello),
-            "{\"hello\":{\"major\":1,\"token\":\"token0\",\"name\":\"ganglion\"}}\n"
+            "{\"hello\":{\"major\":1,\"minor\":1,\"token\":\"token0\",\"name\":\"ganglion\"}}\n"
             "{\"describe\":{\"name\":\"Notebook\",\"robots\":1,\"tick_s\":0.1,\"length_m\":0.2,\"width_m\":0.1,"
             "\"sensations\":[{\"name\":\"ways.length\",\"unit\":\"m\",\"elements\":[\"left\",\"right\"],\"min\":-100,"
             "\"max\":100},{\"name\":\"sonar.range\",\"unit\":\"m\",\"min\":0,\"max\":3,\"period_s\":0.2}],"
@@ -294,7 +294,7 @@ TEST(RobotEnd, SurvivesSpoiltSessions) {
           for (const double value : frame.values) ASSERT_TRUE(std::fabs(value) <= 1);
         };
         ASSERT_TRUE(robot.reset(1, 0));
-        RobotEnd end(robot, nullptr, robot_config());
+        RobotEnd end(robot, robot_config());
         const auto peer = end.open(carrier, "spoiler", 0);
         for (std::size_t at = 0; at < spoilt.size(); at += 37) end.receive(peer, spoilt.substr(at, 37), 0);
         ASSERT_LE(robot.done().size(), 1000u);

@@ -26,11 +26,12 @@ void RobotEnd::greet(PeerId id, Peer& peer, double now_s) {
   peer.writer.emplace(peer.carrier, *peer.reader.encoding());
   peer.floats = in_.hello.floats();
   peer.truth = in_.hello.truth();
-  peer.told.clear();
+  peer.told = {};
   const bool resumed = !in_.hello.token().empty();
   if (!admit(id, peer, again, now_s)) return;
   wire::Hello answer;
   answer.set_major(1);
+  answer.set_minor(1);
   answer.set_name(config_.name);
   answer.set_last_tick(robot_.tick());
   answer.set_resumed(resumed && peer.state == Peer::State::Commanding);
@@ -206,7 +207,7 @@ void RobotEnd::reset(Peer& peer) {
                   say({"the robot cannot be reset: {}", "el robot no se puede reiniciar: {}"}, done.error().what));
   }
   session_->acted.reset();
-  for (auto& [id, other] : peers_) other.told.clear();
+  for (auto& [id, other] : peers_) other.told = {};
   send(peer, in_.reset);
   send_sense(peer, true);
   watch();

@@ -10,7 +10,7 @@ RobotEndConfig robot_config() {
   return config;
 }
 
-Bench::Bench(Carrier carrier, int robots) : robot(robots), end(robot, nullptr, robot_config()) {
+Bench::Bench(Carrier carrier, int robots) : robot(robots), end(robot, robot_config()) {
   expects(robot.reset(1, 0).has_value());
   own = std::make_unique<MemoryLine>(end, carrier);
   line = own.get();

@@ -83,7 +83,7 @@ Outcome hold(const Manner& manner, const LineFaults& faults, std::uint64_t seed)
   RobotEndConfig config = robot_config();
   config.lock_step = manner.pace == wire::LOCK_STEP;
   config.free_running = !config.lock_step;
-  RobotEnd end(watched, nullptr, config);
+  RobotEnd end(watched, config);
   auto made = std::make_unique<FaultyMemoryLine>(end, faults, seed, manner.carrier);
   line = made.get();
   line->arriving = [&](Way way, std::uint32_t connection, std::string_view bytes, double) {

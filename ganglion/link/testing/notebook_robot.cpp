@@ -7,8 +7,7 @@ namespace ganglion::link {
 
 NotebookRobot::NotebookRobot(int robots) : ways_(static_cast<std::size_t>(robots)) {
   description_.name = "Notebook";
-  description_.length_m = 0.2;
-  description_.width_m = 0.1;
+  description_.body = Body{0.2, 0.1, 0, {}};
   description_.sensations = {
       {.name = "ways.length", .unit = "m", .elements = {"left", "right"}, .min = -100, .max = 100},
       {.name = "sonar.range", .unit = "m", .min = 0, .max = 3, .period_s = 0.2}};

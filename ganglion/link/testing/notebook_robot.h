@@ -17,7 +17,7 @@ class NotebookRobot final : public Application {
   };
   explicit NotebookRobot(int robots = 1);
 
-  const RobotDescription& description() const noexcept override { return description_; }
+  const Description& description() const noexcept override { return description_; }
   int robots() const noexcept override { return static_cast<int>(ways_.size()); }
   Result<void> reset(std::uint64_t seed, std::uint32_t episode) override;
   void sense(std::span<SenseFrame> frames) noexcept override;
@@ -34,7 +34,7 @@ class NotebookRobot final : public Application {
   struct Ways {
     double left_m = 0, right_m = 0;
   };
-  RobotDescription description_;
+  Description description_;
   std::vector<Ways> ways_;
   std::vector<Done> done_;
   std::uint32_t tick_ = 0;

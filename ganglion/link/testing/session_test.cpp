@@ -56,7 +56,7 @@ void check_cut(MemoryLine::Cut cut, const std::vector<double>& expected, const s
 
 TEST(LinkSession, TakesNoMemoryOnceWarm) {
   NotebookRobot robot(10);
-  RobotEnd end(robot, nullptr, robot_config());
+  RobotEnd end(robot, robot_config());
   ControllerEnd controller({});
   const auto peer = end.open(Carrier::Stream, "", 0);
   std::string answer;
@@ -148,7 +148,7 @@ TEST(LinkSession, KeepsAsManyRobotsAsTheExperimentHas) {
 
 TEST(LinkSession, SaysWhereTheRobotIsNotTheOneOfTheFile) {
   Bench bench;
-  RobotDescription file = bench.robot.description();
+  Description file = bench.robot.description();
   file.sensations[1].unit = "cm";
   file.commands[0].name = "drive_";
   const auto remote = RemoteApplication::connect(std::move(bench.own), file, 1, {});
@@ -161,7 +161,7 @@ TEST(LinkSession, SaysWhereTheRobotIsNotTheOneOfTheFile) {
 
 TEST(LinkSession, MapsChannelsByName) {
   Bench bench;
-  RobotDescription file = bench.robot.description();
+  Description file = bench.robot.description();
   std::swap(file.sensations[0], file.sensations[1]);
   const auto remote = RemoteApplication::connect(std::move(bench.own), file, 1, {});
   ASSERT_TRUE(remote) << remote.error().what.en;

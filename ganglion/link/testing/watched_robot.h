@@ -22,7 +22,7 @@ class WatchedRobot final : public Application {
   /// The first rule that was broken, and how; "" while none is.
   const std::string& broken() const noexcept { return broken_; }
 
-  const RobotDescription& description() const noexcept override { return inner_.description(); }
+  const Description& description() const noexcept override { return inner_.description(); }
   int robots() const noexcept override { return inner_.robots(); }
   Result<void> reset(std::uint64_t seed, std::uint32_t episode) override;
   void sense(std::span<SenseFrame> frames) noexcept override { inner_.sense(frames); }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
 
-void write_sensation(const SensationChannel& channel, wire::Sensation& out) {
+void write_sensation(const SensationChannel& channel, const Mount* mount, wire::Sensation& out) {
   out.set_name(channel.name);
   out.set_unit(channel.unit);
   out.set_type(static_cast<wire::ValueType>(channel.type));
@@ -18,10 +18,71 @@ void write_sensation(const SensationChannel& channel, wire::Sensation& out) {
   if (channel.min > -kInf) out.set_min(channel.min);
   if (channel.max < kInf) out.set_max(channel.max);
   out.set_period_s(channel.period_s);
-  out.set_x_m(channel.mount.position.x);
-  out.set_y_m(channel.mount.position.y);
-  out.set_yaw_rad(channel.mount.yaw.rad());
+  if (mount != nullptr) {
+    out.set_x_m(mount->pose.position.x);
+    out.set_y_m(mount->pose.position.y);
+    out.set_yaw_rad(mount->pose.yaw.rad());
+  }
   if (!std::isnan(channel.dead)) out.set_dead(channel.dead);
+}
+
+/// Its size stands twice, for controllers that know version 1.0 only.
+void write_body(const Body& body, wire::Describe& out) {
+  out.set_length_m(body.length_m);
+  out.set_width_m(body.width_m);
+  if (body.radius_m == 0 && body.mounts.empty()) return;
+  wire::Body& message = *out.mutable_body();
+  message.set_length_m(body.length_m);
+  message.set_width_m(body.width_m);
+  message.set_radius_m(body.radius_m);
+  for (const Mount& mount : body.mounts) {
+    wire::Mount& one = *message.add_mounts();
+    one.set_device(mount.device);
+    one.set_kind(mount.kind);
+    one.set_x_m(mount.pose.position.x);
+    one.set_y_m(mount.pose.position.y);
+    one.set_yaw_rad(mount.pose.yaw.rad());
+    one.set_cone_rad(mount.cone_rad);
+    one.set_max_range_m(mount.max_range_m);
+  }
+}
+
+/// As a robot of version 1.0 has it: a size, and a place for each sensation.
+std::optional<Body> read_old_body(const wire::Describe& message) {
+  if (message.length_m() == 0 && message.width_m() == 0) return std::nullopt;
+  Body body{message.length_m(), message.width_m(), 0, {}};
+  for (const wire::Sensation& one : message.sensations()) {
+    body.mounts.push_back({one.name(), "", {{one.x_m(), one.y_m()}, Angle::from_rad(one.yaw_rad())}, 0, 0});
+  }
+  return body;
+}
+
+Result<std::optional<Body>> read_body(const wire::Describe& message) {
+  if (!(message.length_m() >= 0 && message.width_m() >= 0)) {
+    return fail(ErrorCode::BadParameter, {"length_m and width_m must be >= 0", "length_m y width_m deben ser >= 0"});
+  }
+  if (!message.has_body()) return read_old_body(message);
+  const wire::Body& told = message.body();
+  bool good = told.length_m() >= 0 && told.width_m() >= 0 && told.radius_m() >= 0;
+  good = good && told.mounts_size() <= kMaxChannels;
+  Body body{told.length_m(), told.width_m(), told.radius_m(), {}};
+  for (const wire::Mount& one : told.mounts()) {
+    good = good && std::isfinite(one.x_m() + one.y_m() + one.yaw_rad() + one.cone_rad() + one.max_range_m()) &&
+           one.device().size() <= kMaxNameBytes && one.kind().size() <= kMaxNameBytes;
+    if (!good) break;
+    body.mounts.push_back({one.device(),
+                           one.kind(),
+                           {{one.x_m(), one.y_m()}, Angle::from_rad(one.yaw_rad())},
+                           one.cone_rad(),
+                           one.max_range_m()});
+  }
+  if (!good) {
+    return fail(ErrorCode::BadParameter,
+                {"the body's size must be >= 0, and its at most {} devices at finite places",
+                 "el tamaño del cuerpo debe ser >= 0, y sus dispositivos, {} como máximo, en lugares finitos"},
+                kMaxChannels);
+  }
+  return std::optional<Body>(std::move(body));
 }
 
 bool good_name(const std::string& name) noexcept { return !name.empty() && name.size() <= kMaxNameBytes; }
@@ -47,7 +108,6 @@ Result<SensationChannel> read_sensation(const wire::Sensation& message) {
   channel.min = message.has_min() ? message.min() : -kInf;
   channel.max = message.has_max() ? message.max() : kInf;
   channel.period_s = message.period_s();
-  channel.mount = {{message.x_m(), message.y_m()}, Angle::from_rad(message.yaw_rad())};
   if (message.has_dead()) channel.dead = message.dead();
   const bool finite = std::isfinite(message.x_m()) && std::isfinite(message.y_m()) && std::isfinite(message.yaw_rad());
   if (!finite || !(channel.min <= channel.max) || !(channel.period_s >= 0)) {
@@ -159,7 +219,9 @@ class Comparison {
   std::vector<Difference> list_;
 };
 
-void compare_sensations(const RobotDescription& file, const RobotDescription& robot, Comparison& found) {
+Pose2 pose_of(const Mount* mount) noexcept { return mount != nullptr ? mount->pose : Pose2{}; }
+
+void compare_sensations(const Description& file, const Description& robot, Comparison& found) {
   for (const SensationChannel& wanted : file.sensations) {
     const SensationChannel* offered = found.partner({"no such sensation", "esa sensación"}, wanted, robot.sensations);
     if (offered == nullptr) continue;
@@ -169,13 +231,14 @@ void compare_sensations(const RobotDescription& file, const RobotDescription& ro
     found.number(wanted.name, say({"min", "mínimo"}), offered->min, wanted.min);
     found.number(wanted.name, say({"max", "máximo"}), offered->max, wanted.max);
     found.number(wanted.name, "period_s", offered->period_s, wanted.period_s);
-    found.number(wanted.name, "x_m", offered->mount.position.x, wanted.mount.position.x);
-    found.number(wanted.name, "y_m", offered->mount.position.y, wanted.mount.position.y);
-    found.number(wanted.name, "yaw_rad", offered->mount.yaw.rad(), wanted.mount.yaw.rad());
+    const Pose2 there = pose_of(robot.mount(wanted.name)), here = pose_of(file.mount(wanted.name));
+    found.number(wanted.name, "x_m", there.position.x, here.position.x);
+    found.number(wanted.name, "y_m", there.position.y, here.position.y);
+    found.number(wanted.name, "yaw_rad", there.yaw.rad(), here.yaw.rad());
   }
 }
 
-void compare_commands(const RobotDescription& file, const RobotDescription& robot, Comparison& found) {
+void compare_commands(const Description& file, const Description& robot, Comparison& found) {
   for (const CommandChannel& wanted : file.commands) {
     const CommandChannel* offered = found.partner({"no such command", "ese mando"}, wanted, robot.commands);
     if (offered == nullptr || offered->elements.size() != wanted.elements.size()) continue;
@@ -191,12 +254,13 @@ void compare_commands(const RobotDescription& file, const RobotDescription& robo
 
 }  // namespace
 
-void write_description(const RobotDescription& description, wire::Describe& out) {
+void write_description(const Description& description, wire::Describe& out) {
   out.set_name(description.name);
   out.set_tick_s(description.tick_s);
-  out.set_length_m(description.length_m);
-  out.set_width_m(description.width_m);
-  for (const SensationChannel& channel : description.sensations) write_sensation(channel, *out.add_sensations());
+  if (description.body) write_body(*description.body, out);
+  for (const SensationChannel& channel : description.sensations) {
+    write_sensation(channel, description.mount(channel.name), *out.add_sensations());
+  }
   for (const CommandChannel& channel : description.commands) {
     wire::Command& command = *out.add_commands();
     command.set_name(channel.name);
@@ -211,20 +275,18 @@ void write_description(const RobotDescription& description, wire::Describe& out)
   }
 }
 
-Result<RobotDescription> read_description(const wire::Describe& message) {
-  RobotDescription description;
+Result<Description> read_description(const wire::Describe& message) {
+  Description description;
   description.name = printable(message.name(), kMaxNameBytes);
-  description.length_m = message.length_m();
-  description.width_m = message.width_m();
   description.tick_s = message.tick_s();
   if (!(description.tick_s > 0 && description.tick_s <= 3600)) {
     return fail(ErrorCode::BadParameter,
                 {"tick_s is {}, must be > 0 and at most 3600 s", "tick_s es {}, debe ser > 0 y como máximo 3600 s"},
                 shortest(message.tick_s()));
   }
-  if (!(description.length_m >= 0 && description.width_m >= 0)) {
-    return fail(ErrorCode::BadParameter, {"length_m and width_m must be >= 0", "length_m y width_m deben ser >= 0"});
-  }
+  auto body = read_body(message);
+  if (!body) return tl::unexpected<Error>(body.error());
+  description.body = std::move(*body);
   if (message.robots() > kMaxRobots) {
     return fail(ErrorCode::TooLarge, {"{} robots; the limit is {}", "{} robots; el límite es {}"}, message.robots(),
                 kMaxRobots);
@@ -240,13 +302,14 @@ Result<RobotDescription> read_description(const wire::Describe& message) {
   return description;
 }
 
-std::vector<Difference> differences(const RobotDescription& file, const RobotDescription& robot) {
+std::vector<Difference> differences(const Description& file, const Description& robot) {
   Comparison found;
   compare_sensations(file, robot, found);
   compare_commands(file, robot, found);
   found.number("", "tick_s", robot.tick_s, file.tick_s);
-  found.number("", "length_m", robot.length_m, file.length_m);
-  found.number("", "width_m", robot.width_m, file.width_m);
+  const Body there = robot.body.value_or(Body{}), here = file.body.value_or(Body{});
+  found.number("", "length_m", there.length_m, here.length_m);
+  found.number("", "width_m", there.width_m, here.width_m);
   return found.take();
 }
 

@@ -15,10 +15,10 @@ inline constexpr int kMaxChannels = 1'000;
 inline constexpr int kMaxElements = 4'096;  ///< Of one channel; a pixel matrix has 64.
 inline constexpr std::size_t kMaxNameBytes = 100;
 
-void write_description(const RobotDescription& description, wire::Describe& out);
+void write_description(const Description& description, wire::Describe& out);
 
 /// Fails with TooLarge or BadParameter, in words, where a description is beyond the limits or makes no sense.
-Result<RobotDescription> read_description(const wire::Describe& message);
+Result<Description> read_description(const wire::Describe& message);
 
 /// One respect in which a robot is not what a controller was drawn for.
 struct Difference {
@@ -27,7 +27,7 @@ struct Difference {
   bool grave = false;   ///< The controller cannot drive it.
 };
 /// Compares by name: the order of channels and what the robot offers besides do not matter.
-std::vector<Difference> differences(const RobotDescription& file, const RobotDescription& robot);
+std::vector<Difference> differences(const Description& file, const Description& robot);
 /// "sonar_left.range: unit: the robot has \"cm\", the file \"m\"".
 Sentence text_of(const Difference& difference);
 

@@ -155,7 +155,7 @@ bool read_acts(const wire::Act& message, std::span<ActFrame> frames) noexcept {
   return true;
 }
 
-void make_safe(const RobotDescription& description, double max_ttl_s, ActFrame& frame) noexcept {
+void make_safe(const Description& description, double max_ttl_s, ActFrame& frame) noexcept {
   std::size_t n = 0;
   for (std::size_t channel = 0; channel < description.commands.size(); ++channel) {
     frame.ttl_s[channel] = frame.ttl_s[channel] > 0 ? std::min(frame.ttl_s[channel], max_ttl_s) : 0;
@@ -170,7 +170,7 @@ void make_safe(const RobotDescription& description, double max_ttl_s, ActFrame& 
   }
 }
 
-void take_safe_values(const RobotDescription& description, ActFrame& frame) noexcept {
+void take_safe_values(const Description& description, ActFrame& frame) noexcept {
   std::size_t n = 0;
   for (std::size_t channel = 0; channel < description.commands.size(); ++channel) {
     for (const CommandElement& element : description.commands[channel].elements) frame.values[n++] = element.safe;

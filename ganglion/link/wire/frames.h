@@ -25,8 +25,8 @@ bool read_acts(const wire::Act& message, std::span<ActFrame> frames) noexcept;
 
 /// Puts commands within the limits of the robot: what is not finite becomes the safe value (Refused), times to live lie
 /// in [0, max_ttl_s].
-void make_safe(const RobotDescription& description, double max_ttl_s, ActFrame& frame) noexcept;
+void make_safe(const Description& description, double max_ttl_s, ActFrame& frame) noexcept;
 /// The safe values, as nobody commands any more.
-void take_safe_values(const RobotDescription& description, ActFrame& frame) noexcept;
+void take_safe_values(const Description& description, ActFrame& frame) noexcept;
 
 }  // namespace ganglion::link

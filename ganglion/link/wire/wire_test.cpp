@@ -150,11 +150,12 @@ TEST(Codec, RefusesRubbish) {
   EXPECT_FALSE(decode(deep, Encoding::Json, messages));
 }
 
-RobotDescription described() {
-  RobotDescription robot;
+Description described() {
+  Description robot;
   robot.name = "R";
   robot.tick_s = 0.05;
-  robot.sensations = {{"sonar.range", "m", ValueType::Real, {}, 0.02, 3, 0.1, {{0.1, -0.05}, Angle::from_rad(0.5)}},
+  robot.body = Body{0.3, 0.2, 0.15, {{"sonar", "Sonar", {{0.1, -0.05}, Angle::from_rad(0.5)}, 0.7, 3}}};
+  robot.sensations = {{"sonar.range", "m", ValueType::Real, {}, 0.02, 3, 0.1},
                       {"gps.fix", "m", ValueType::Circular, {"x", "y"}, -INFINITY, INFINITY}};
   robot.sensations[0].dead = 0;
   robot.commands = {{"drive", {{"left", "m/s", -1, 1, 0}, {"right", "m/s", -0.5, 1, 0.1}}}};
@@ -195,7 +196,7 @@ TEST(Description, IsRefusedWhereItMakesNoSense) {
 }
 
 TEST(Description, NamesWhatDiffers) {
-  RobotDescription robot = described();
+  Description robot = described();
   robot.sensations[0].max = 4;
   robot.commands[0].elements[1].safe = 0;
   robot.sensations[1].elements = {"x", "y", "z"};

@@ -8,24 +8,24 @@
 namespace ganglion {
 namespace {
 
-/// Outcomes as a trainer's ledger has them.
+/// Outcomes as the ledger of goals has them.
 enum Outcome { kReached = 1, kWithdrawn = 2, kTimedOut = 3, kReplaced = 4 };
 
 struct Columns {
-  std::size_t reachable, outcome, travelled, shortest, steered;
+  std::size_t ledger, reachable, outcome, travelled, shortest, steered;
 };
 
+/// The first ledger that has what is asked for: whatever task keeps it.
 std::optional<Columns> columns_of(const MeasureScope& scope) {
-  const auto find = [&](std::string_view name) -> std::optional<std::size_t> {
-    for (std::size_t i = 0; i < scope.goals.size(); ++i) {
-      if (scope.goals[i].name == name) return i;
-    }
-    return std::nullopt;
-  };
-  const auto reachable = find("reachable"), outcome = find("outcome"), travelled = find("travelled_m"),
-             shortest = find("static_shortest_m"), steered = find("steered_shortest_m");
-  if (!reachable || !outcome || !travelled || !shortest || !steered) return std::nullopt;
-  return Columns{*reachable, *outcome, *travelled, *shortest, *steered};
+  for (std::size_t n = 0; n < scope.ledgers.size(); ++n) {
+    const LedgerForm& form = scope.ledgers[n];
+    const auto reachable = form.column("reachable"), outcome = form.column("outcome"),
+               travelled = form.column("travelled_m"), shortest = form.column("static_shortest_m"),
+               steered = form.column("steered_shortest_m");
+    if (!reachable || !outcome || !travelled || !shortest || !steered) continue;
+    return Columns{n, *reachable, *outcome, *travelled, *shortest, *steered};
+  }
+  return std::nullopt;
 }
 
 struct GoalFigure {
@@ -64,12 +64,12 @@ constexpr std::array kFigures = {
     GoalFigure{"goals_done", {"1 once every goal has its outcome", "1 una vez que cada objetivo acabó"}, false},
 };
 
-/// Of a trainer's goals: how many became what, and the ways to them against the shortest there were, movers aside.
+/// Of the goals that a task set: how many became what, and the ways to them against the shortest there were, movers aside.
 class Goals final : public Measure {
  public:
   explicit Goals(const Columns& columns) : columns_(columns) {}
-  void begin(const Moment& start, const Unhindered*) override { goals_ = start.goals; }
-  void update(const Moment& now) override { goals_ = now.goals; }
+  void begin(const Moment& start, const Unhindered*) override { goals_ = start.ledgers[columns_.ledger]; }
+  void update(const Moment& now) override { goals_ = now.ledgers[columns_.ledger]; }
 
   void report(std::span<double> figures) const override {
     if (goals_ == nullptr) {

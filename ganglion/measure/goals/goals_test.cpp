@@ -25,7 +25,7 @@ struct Goal {
   bool reachable = true;
 };
 
-/// What a trainer keeps, in an order of its own and with more than is asked for.
+/// What a task keeps, in an order of its own and with more than is asked for.
 class Kept final : public Ledger {
  public:
   explicit Kept(std::vector<Goal> list = {}) : goals(std::move(list)) {}
@@ -48,12 +48,16 @@ class Kept final : public Ledger {
     return values[column];
   }
   bool done() const noexcept override { return finished; }
+  std::uint64_t changes() const noexcept override { return 0; }
 
   std::vector<Goal> goals;
   bool finished = false;
 };
 
-MeasureScope trained() { return {.goals = Kept::kept_columns()}; }
+MeasureScope trained() {
+  static const std::vector<LedgerForm> kForms = {{"trainer", Kept::kept_columns(), {}}};
+  return {.ledgers = kForms};
+}
 
 /// At the end of a run that left these goals.
 MeasureBench after(const Kept& kept) {
@@ -163,7 +167,8 @@ TEST(GoalMeasures, AreNoneWithoutATrainerOrWhereItKeepsTooLittle) {
        {"reachable", "outcome", "travelled_m", "static_shortest_m", "steered_shortest_m"}) {
     std::vector<LedgerColumn> fewer = Kept::kept_columns();
     std::erase_if(fewer, [&](const LedgerColumn& column) { return column.name == needed; });
-    EXPECT_EQ(figure_names(goals_kind, {.goals = fewer}), Names{}) << needed;
+    const std::vector<LedgerForm> forms = {{"trainer", fewer, {}}};
+    EXPECT_EQ(figure_names(goals_kind, {.ledgers = forms}), Names{}) << needed;
   }
 }
 

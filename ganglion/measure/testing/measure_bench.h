@@ -32,6 +32,9 @@ class WalledTerrain final : public Terrain {
  public:
   explicit WalledTerrain(double wall_x_m = std::numeric_limits<double>::infinity(), bool slopes = false) noexcept
       : wall_x_m_(wall_x_m), slopes_(slopes) {}
+  Box2 bounds() const noexcept override { return {{-100, -100}, {100, 100}}; }
+  double clearance_m(Vector2, double up_to_m) const noexcept override { return up_to_m; }
+  bool way_free(Vector2, Vector2, double) const noexcept override { return true; }
   double far_wall_m(Vector2 from, Vector2 towards) const noexcept override {
     const bool ahead = (wall_x_m_ - from.x) * towards.x > 0;
     return ahead ? (wall_x_m_ - from.x) / towards.x : std::numeric_limits<double>::infinity();
@@ -53,7 +56,7 @@ class MeasureBench {
   }
 
   /// The ledger that is shown from now on.
-  void show(const Ledger* goals) noexcept { goals_ = goals; }
+  void show(const Ledger* ledger) noexcept { ledger_ = ledger; }
   void begin(std::initializer_list<double> truth, const Unhindered* unhindered = nullptr) {
     measure_->begin(moment(truth, {}), unhindered);
   }
@@ -78,14 +81,14 @@ class MeasureBench {
             .step_s = step_s_,
             .truth = {truth.begin(), truth.size()},
             .signals = {signals.begin(), signals.size()},
-            .goals = goals_};
+            .ledgers = {&ledger_, 1}};
   }
 
   std::vector<Figure> figures_;
   std::unique_ptr<Measure> measure_;
   double step_s_;
   int ticks_ = 0;
-  const Ledger* goals_ = nullptr;
+  const Ledger* ledger_ = nullptr;
 };
 
 }  // namespace ganglion::testing

@@ -12,11 +12,11 @@ using config::Table;
 
 constexpr std::array<std::string_view, 3> kTypes = {"real", "discrete", "circular"};
 
-void read_sensation(Table& table, std::vector<std::string>& names, RobotDescription& description) {
+void read_sensation(Table& table, std::vector<std::string>& names, Description& description) {
   SensationChannel channel;
   channel.name = table.text("name");
   table.set_context(channel.name);
-  check_name(table, "name", channel.name, true, names);
+  config::check_name(table, "name", channel.name, true, names);
   channel.unit = table.text("unit", "");
   channel.type = static_cast<ValueType>(table.choice("type", kTypes, 0));
   channel.elements = table.texts("elements");
@@ -28,16 +28,18 @@ void read_sensation(Table& table, std::vector<std::string>& names, RobotDescript
                   shortest(channel.max), shortest(channel.min));
   }
   channel.period_s = table.number("period_s", 0, config::kNotNegative);
-  channel.mount = {{table.number("x_m", 0), table.number("y_m", 0)},
-                   Angle::from_deg(table.number("yaw_deg", 0, Range{-360, 360})).wrapped()};
+  Mount mount{.device = channel.name};
+  mount.pose = {{table.number("x_m", 0), table.number("y_m", 0)},
+                Angle::from_deg(table.number("yaw_deg", 0, Range{-360, 360})).wrapped()};
+  if (description.body) description.body->mounts.push_back(std::move(mount));
   description.sensations.push_back(std::move(channel));
 }
 
-void read_command(Table& table, std::vector<std::string>& names, RobotDescription& description) {
+void read_command(Table& table, std::vector<std::string>& names, Description& description) {
   CommandChannel channel;
   channel.name = table.text("name");
   table.set_context(channel.name);
-  check_name(table, "name", channel.name, true, names);
+  config::check_name(table, "name", channel.name, true, names);
   auto elements = table.texts("elements");
   if (elements.empty()) elements.push_back(channel.name);
   const std::size_t count = elements.size();
@@ -70,8 +72,8 @@ void read_command(Table& table, std::vector<std::string>& names, RobotDescriptio
 
 }  // namespace
 
-void read_described(Table& root, RobotDescription& description) {
-  for (const char* key : {"drive", "sensor", "energy", "battery", "substep_s"}) {
+void read_described(Table& root, Description& description) {
+  for (const char* key : {"drive", "sensor", "energy", "battery", "substep_s", "task"}) {
     if (root.has(key)) {
       root.problem(key, ErrorCode::BadParameter,
                    {"{} does not go with [[sensation]] and [[command]]: a robot is either simulated or described",
@@ -84,8 +86,8 @@ void read_described(Table& root, RobotDescription& description) {
     if (root.has(key)) root.asks(key, {.form = config::Asked::Form::Tables, .required = true});
   }
   std::vector<std::string> sensations, commands;
-  each_table(root, "sensation", [&](Table& table) { read_sensation(table, sensations, description); });
-  each_table(root, "command", [&](Table& table) { read_command(table, commands, description); });
+  config::each_table(root, "sensation", [&](Table& table) { read_sensation(table, sensations, description); });
+  config::each_table(root, "command", [&](Table& table) { read_command(table, commands, description); });
 }
 
 }  // namespace ganglion::sim

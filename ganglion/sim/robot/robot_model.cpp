@@ -1,8 +1,11 @@
 #include "ganglion/sim/robot/robot_model.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "ganglion/base/text.h"
+#include "ganglion/module/find_kind.h"
 #include "ganglion/sim/robot/robot_reader.h"
 
 namespace ganglion::sim {
@@ -13,37 +16,6 @@ using config::Table;
 
 constexpr Range kSize{1e-3, 100};
 
-/// The kind of that name; a problem with the nearest names if there is none.
-template <class Product>
-const Kind<Product>* find_kind(Table& table, std::span<const Kind<Product>* const> kinds) {
-  const std::string name = table.text("kind");
-  std::vector<std::string> names;
-  for (const auto* kind : kinds) {
-    if (!name.empty() && (kind->descriptor.name == name || kind->descriptor.paper_name == name)) {
-      table.is_of(kind->descriptor);
-      return kind;
-    }
-    names.emplace_back(kind->descriptor.name);
-  }
-  if (table.has("kind") && !name.empty()) {
-    const Sentence what =
-        say({"there is no kind \"{}\"{}", "no existe el tipo \"{}\"{}"}, name, suggestion(name, names));
-    table.problem("kind", Error{ErrorCode::UnknownKey, what, {}, Subject{.found = name, .choices = names}});
-  }
-  // Its parameters cannot be told from slips: only the kind is reported.
-  for (const std::string& key : table.keys()) table.known(key);
-  return nullptr;
-}
-
-/// A device of that kind, to see whether its parameters agree; null with a problem if they do not.
-template <class Product>
-std::unique_ptr<Product> made(const Kind<Product>& kind, const Parameters& parameters, const Table& table) {
-  auto product = kind.make(parameters);
-  if (product) return std::move(*product);
-  table.problem("kind", product.error());
-  return nullptr;
-}
-
 void read_body(Table& root, RobotModel& model) {
   if (!root.has("body")) {
     root.problem(
@@ -53,15 +25,13 @@ void read_body(Table& root, RobotModel& model) {
   }
   const std::size_t before = root.problems().size();
   Table body = root.table("body");
-  RobotDescription& description = model.description;
-  description.length_m = body.number("length_m", kSize);
-  description.width_m = body.number("width_m", kSize);
-  const double half_diagonal_m =
-      std::sqrt(description.length_m * description.length_m + description.width_m * description.width_m) / 2;
+  Body size{.length_m = body.number("length_m", kSize), .width_m = body.number("width_m", kSize)};
+  const double half_diagonal_m = std::sqrt(size.length_m * size.length_m + size.width_m * size.width_m) / 2;
   model.climb_rad = Angle::from_deg(body.number("climb_deg", 90, Range{0, 90})).rad();
   model.tip_rad = Angle::from_deg(body.number("tip_deg", 90, Range{0, 90})).rad();
   const double radius_m = body.number("radius_m", half_diagonal_m, kSize);
-  if (root.problems().size() == before) model.radius_m = radius_m;  // else mounts cannot be judged
+  if (root.problems().size() == before) model.radius_m = size.radius_m = radius_m;  // else mounts cannot be judged
+  model.description.body = std::move(size);
 }
 
 void read_drive(Table table, const SimKinds& kinds, RobotModel& model) {
@@ -78,7 +48,7 @@ void read_drive(Table table, const SimKinds& kinds, RobotModel& model) {
   }
 }
 
-void describe_channels(const SensorModel& sensor, const Sensor& device, RobotDescription& description) {
+void describe_channels(const SensorModel& sensor, const Sensor& device, Description& description) {
   std::size_t n = 0, values = 0, at = 0;
   for (const PortDescriptor& port : sensor.kind->descriptor.ports) values += static_cast<std::size_t>(port.size);
   std::vector<double> broken(values);
@@ -94,16 +64,49 @@ void describe_channels(const SensorModel& sensor, const Sensor& device, RobotDes
                                       .min = limits.min,
                                       .max = limits.max,
                                       .period_s = sensor.period_s,
-                                      .mount = sensor.mount,
                                       .dead = dead});
   }
+  if (!description.body) return;
+  Mount mount{sensor.id, std::string(sensor.kind->descriptor.name), sensor.mount};
+  if (sensor.kind->descriptor.parameter("cone_deg") != nullptr) {
+    mount.cone_rad = Angle::from_deg(sensor.parameters.real("cone_deg")).rad();
+  }
+  if (const SensationChannel* range = description.sensation(sensor.id + ".range")) mount.max_range_m = range->max;
+  description.body->mounts.push_back(std::move(mount));
+}
+
+/// A task that stands among the sensors, as files had it before there were tasks. What only a sensor can be told is
+/// refused where it says anything; where it sits on the body never mattered.
+bool read_old_task(Table& table, const SimKinds& kinds, std::vector<std::string>& ids, RobotModel& model) {
+  const config::Value* kind = table.value("kind");
+  if (kind == nullptr || kind->string() == nullptr) return false;
+  const std::string& name = *kind->string();
+  const auto is_task = [&](const TaskKind* one) { return one->descriptor.paper_name == name; };
+  if (std::ranges::none_of(kinds.tasks, is_task)) return false;
+  for (const ParameterDescriptor& parameter : sensor_parameters()) {
+    const std::string key(parameter.name);
+    table.known(key);
+    const bool tells = key == "period_s" || key == "phase_s" || key == "fault" || key == "fault_from_s";
+    if (!tells || !table.has(key)) continue;
+    table.problem(key, ErrorCode::BadParameter,
+                  {"{} is no sensor any more but a task, which knows no {}: write it as [[task]] without it",
+                   "{} ya no es un sensor sino una tarea, que no tiene {}: escríbalo como [[task]] sin ello"},
+                  name, key);
+  }
+  table.note("kind",
+             {"{} is a task: [[task]] says so more clearly than [[sensor]]",
+              "{} es una tarea: [[task]] lo dice con más claridad que [[sensor]]"},
+             name);
+  read_task(table, kinds.tasks, ids, model.tasked, model.tasks);
+  return true;
 }
 
 void read_sensor(Table& table, const SimKinds& kinds, std::vector<std::string>& ids, RobotModel& model) {
+  if (read_old_task(table, kinds, ids, model)) return;
   SensorModel sensor;
   sensor.id = table.text("id");
   table.set_context(sensor.id);
-  check_name(table, "id", sensor.id, false, ids);
+  config::check_name(table, "id", sensor.id, false, ids);
   sensor.kind = find_kind(table, kinds.sensors);
   if (sensor.kind == nullptr) return;
   const auto common = table.parameters(sensor_parameters()).filled<SensorCommon>();
@@ -122,7 +125,6 @@ void read_sensor(Table& table, const SimKinds& kinds, std::vector<std::string>& 
   const auto device = made(*sensor.kind, sensor.parameters, table);
   if (device == nullptr) return;
   describe_channels(sensor, *device, model.description);
-  model.trained = model.trained || device->trainer_log() != nullptr;
   model.sensors.push_back(std::move(sensor));
 }
 
@@ -153,8 +155,18 @@ void read_simulated(Table& root, const SimKinds& kinds, RobotModel& model) {
   read_battery(root, model.battery);
   model.substep_s = root.number("substep_s", 0.01, Range{1e-4, 10});
   std::vector<std::string> ids;
-  each_table(root, "sensor", [&](Table& table) { read_sensor(table, kinds, ids, model); });
+  config::each_table(root, "sensor", [&](Table& table) { read_sensor(table, kinds, ids, model); });
+  for (TaskModel& task : read_tasks(root, kinds.tasks, ids, model.tasked)) model.tasks.push_back(std::move(task));
 }
+
+/// The robot's own channels, then those of its tasks, which stand in `tasked` alone so far.
+void join_tasks(RobotModel& model) {
+  std::vector<SensationChannel> of_tasks = std::move(model.tasked.sensations);
+  model.tasked = model.description;
+  std::ranges::move(of_tasks, std::back_inserter(model.tasked.sensations));
+}
+
+}  // namespace
 
 std::shared_ptr<const RobotModel> read_robot(const config::Value& value, const SimKinds& kinds, Problems& problems,
                                              FileReader* files, config::Outline* outline) {
@@ -174,34 +186,8 @@ std::shared_ptr<const RobotModel> read_robot(const config::Value& value, const S
     }
   }
   if (problems.size() != before) return nullptr;
+  join_tasks(*model);
   return model;
-}
-
-}  // namespace
-
-std::shared_ptr<const RobotModel> load_robot(FileReader& files, int file, const SimKinds& kinds,
-                                             std::span<const config::Override> overrides, Problems& problems) {
-  auto value = config::parse(files.at(file));
-  if (!value) {
-    problems.add(value.error());
-    return nullptr;
-  }
-  const std::size_t before = problems.size();
-  for (const config::Override& override : overrides) {
-    const auto applied = config::apply(*value, override);
-    if (!applied) problems.add(applied.error());
-  }
-  auto model = read_robot(*value, kinds, problems, &files, nullptr);
-  return problems.size() == before ? model : nullptr;
-}
-
-std::shared_ptr<const RobotModel> load_robot(const std::filesystem::path& path, const SimKinds& kinds,
-                                             std::span<const config::Override> overrides, Problems& problems) {
-  DiskFiles files;
-  const auto file = files.open("robot", path.string(), -1, config::kMaxBytes);
-  if (file) return load_robot(files, *file, kinds, overrides, problems);
-  problems.add(file.error());
-  return nullptr;
 }
 
 std::shared_ptr<const RobotModel> parse_robot(std::string_view text, const std::string& file_name,
@@ -212,18 +198,6 @@ std::shared_ptr<const RobotModel> parse_robot(std::string_view text, const std::
     return nullptr;
   }
   return read_robot(*value, kinds, problems, nullptr, outline);
-}
-
-std::optional<RobotDescription> load_description(FileReader& files, int file, const SimKinds& kinds,
-                                                 std::span<const config::Override> overrides, Problems& problems) {
-  const auto model = load_robot(files, file, kinds, overrides, problems);
-  return model != nullptr ? std::optional(model->description) : std::nullopt;
-}
-
-std::optional<RobotDescription> load_description(const std::filesystem::path& path, const SimKinds& kinds,
-                                                 std::span<const config::Override> overrides, Problems& problems) {
-  const auto model = load_robot(path, kinds, overrides, problems);
-  return model != nullptr ? std::optional(model->description) : std::nullopt;
 }
 
 }  // namespace ganglion::sim

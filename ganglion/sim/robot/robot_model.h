@@ -12,6 +12,7 @@
 #include "ganglion/config/table.h"
 #include "ganglion/sim/robot/drive.h"
 #include "ganglion/sim/robot/sensor.h"
+#include "ganglion/task/task_model.h"
 
 namespace ganglion::sim {
 
@@ -19,6 +20,7 @@ namespace ganglion::sim {
 struct SimKinds {
   std::span<const DriveKind* const> drives;
   std::span<const SensorKind* const> sensors;
+  std::span<const TaskKind* const> tasks{};
 };
 
 /// What a device does to a fault: for tests of graceful degradation.
@@ -76,7 +78,8 @@ struct BatteryModel {
 
 /// A robot as its file states it: immutable, shared by any number of simulations and threads.
 struct RobotModel {
-  RobotDescription description;
+  Description description;  ///< Of the robot alone.
+  Description tasked;       ///< With the channels of its tasks behind.
   double radius_m = 0;      ///< In contact and in sight of others the body is a disc about its centre.
   double substep_s = 0.01;  ///< Motion and contacts are worked out in steps of at most this.
   EnergyModel energy{};
@@ -86,7 +89,7 @@ struct RobotModel {
   const DriveKind* drive = nullptr;       ///< Null: the file only describes a robot that is not simulated.
   Parameters drive_parameters{{}};
   std::vector<SensorModel> sensors;
-  bool trained = false;  ///< One of them is a trainer.
+  std::vector<TaskModel> tasks;  ///< Set to every robot of the model.
 
   bool simulated() const noexcept { return drive != nullptr; }
 };
@@ -97,25 +100,16 @@ struct RobotModel {
 /// the body's diagonal as its radius unless `radius_m` is given. Then either
 ///   * a simulated robot: `[drive] kind` and its parameters, any number of `[[sensor]] id, kind, x_m, y_m, yaw_deg,
 ///     period_s, phase_s, fault, fault_from_s` and its parameters, `[energy]` (EnergyModel), `[battery]`
-///     (BatteryModel), `substep_s`, and on the body `climb_deg`, `tip_deg`; sensations are then named "id.channel", and
-///     the command channel as the drive's kind names it; or
+///     (BatteryModel), any number of `[[task]] id, kind` and its parameters, `substep_s`, and on the body `climb_deg`,
+///     `tip_deg`; sensations are then named "id.channel", and the command channel as the drive's kind names it; or
 ///   * a bare description of a robot elsewhere: `[[sensation]] name, unit, type, elements, min, max, period_s, x_m,
 ///     y_m, yaw_deg` and `[[command]] name, elements, units, min, max, safe`.
-std::shared_ptr<const RobotModel> load_robot(FileReader& files, int file, const SimKinds& kinds,
-                                             std::span<const config::Override> overrides, Problems& problems);
-/// The same of a file of the disk.
-std::shared_ptr<const RobotModel> load_robot(const std::filesystem::path& path, const SimKinds& kinds,
-                                             std::span<const config::Override> overrides, Problems& problems);
+std::shared_ptr<const RobotModel> read_robot(const config::Value& value, const SimKinds& kinds, Problems& problems,
+                                             FileReader* files = nullptr, config::Outline* outline = nullptr);
 /// The same from a text. `outline` takes down what was asked.
 std::shared_ptr<const RobotModel> parse_robot(std::string_view text, const std::string& file_name,
                                               const SimKinds& kinds, Problems& problems,
                                               config::Outline* outline = nullptr);
-/// Only what a robot.toml of either form describes, to check a controller against.
-std::optional<RobotDescription> load_description(FileReader& files, int file, const SimKinds& kinds,
-                                                 std::span<const config::Override> overrides, Problems& problems);
-std::optional<RobotDescription> load_description(const std::filesystem::path& path, const SimKinds& kinds,
-                                                 std::span<const config::Override> overrides, Problems& problems);
-
 /// Those of SensorCommon, as descriptors for schema, forms and manual.
 std::span<const ParameterDescriptor> sensor_parameters() noexcept;
 /// The keys of [energy].

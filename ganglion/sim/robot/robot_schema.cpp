@@ -25,13 +25,16 @@ name = "tracks"
 elements = ["left", "right"]
 )";
 
-/// A robot with this drive and a sensor of each kind.
+/// A robot with this drive, a sensor and a task of each kind.
 std::string simulated(const DriveKind& drive, const SimKinds& kinds) {
   std::string text =
       fmt::format("format = 1\nname = \"simulated\"\n[body]\nlength_m = 0.2\nwidth_m = 0.2\n[drive]\nkind = \"{}\"\n",
                   drive.descriptor.name);
   for (const SensorKind* sensor : kinds.sensors) {
     text += fmt::format("[[sensor]]\nid = \"{0}\"\nkind = \"{0}\"\n", sensor->descriptor.name);
+  }
+  for (const TaskKind* task : kinds.tasks) {
+    text += fmt::format("[[task]]\nid = \"{0}\"\nkind = \"{0}\"\n", task->descriptor.name);
   }
   return text;
 }

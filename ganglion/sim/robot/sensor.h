@@ -14,8 +14,6 @@
 
 namespace ganglion::sim {
 
-class TrainerLog;
-
 /// Where a sensor sits on its robot.
 struct Mounting {
   Pose2 pose{};
@@ -130,9 +128,6 @@ class Sensor {
   virtual bool follows() const noexcept { return false; }
   /// A sub-step has gone by: for devices with inertia.
   virtual void follow(const Scene&, double step_s) noexcept { static_cast<void>(step_s); }
-  /// Whether it listens to what the controller commands (a trainer does).
-  virtual bool hears() const noexcept { return false; }
-  virtual void hear(const ActFrame&) noexcept {}
   /// Fires. `values` has the values of all channels, one after the other; missing readings after REP-117.
   virtual void measure(const Scene& scene, Draws& draws, std::span<double> values) noexcept = 0;
   /// Whether measure() begins by draws.normal(). Those of many sensors are worked out side by side then; the same bits.
@@ -141,15 +136,6 @@ class Sensor {
   virtual void broken(std::span<double> values) const noexcept {
     std::fill(values.begin(), values.end(), std::numeric_limits<double>::quiet_NaN());
   }
-  /// What it keeps of its goals, if it is a trainer.
-  virtual const TrainerLog* trainer_log() const noexcept { return nullptr; }
-  /// Somebody sets a goal at a point of the world, between ticks. Gives the point that counts. Fails unless it is a
-  /// trainer that can set that goal.
-  virtual Result<Vector2> set_goal(const Scene&, Vector2) {
-    return fail(ErrorCode::Unsupported, {"this sensor sets no goals", "este sensor no fija objetivos"});
-  }
-  /// What it says at once of a goal that was set so; `values` as in measure().
-  virtual void tell_goal(const Scene&, std::span<double> values) const noexcept { static_cast<void>(values); }
 };
 
 /// A kind's descriptor lists the channels as its Output ports.

@@ -14,7 +14,7 @@ std::string every_sensor() {
   for (const SensorKind* kind : testing::kSensors) {
     text += fmt::format("[[sensor]]\nid = \"s_{0}\"\nkind = \"{0}\"\n", kind->descriptor.name);
   }
-  return text + "patience_s = 0.5\nmax_turn_deg = 45\n";  // the last one is the trainer
+  return text + "[[task]]\nid = \"app\"\nkind = \"GoTo\"\npatience_s = 0.5\nmax_turn_deg = 45\n";
 }
 
 TEST(Simulation, TakesNoMemoryInStepsWhateverTheKinds) {

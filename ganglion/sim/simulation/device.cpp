@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "ganglion/base/hash.h"
-#include "ganglion/base/text.h"
 
 namespace ganglion::sim {
 namespace {
@@ -67,18 +66,6 @@ bool Device::wants_before(double begin_s, double last_s, double end_s) const noe
 
 bool Device::faulty(double time_s) const noexcept {
   return model_->fault != Fault::None && time_s >= model_->fault_from_s - kTimeTolerance_s;
-}
-
-Result<Vector2> Device::set_goal(std::size_t robot, const Scene& scene, Vector2 point, std::span<double> robot_values) {
-  if (faulty(scene.time_s)) {
-    return fail(ErrorCode::BadParameter,
-                {"\"{}\" of robot {} is broken since {} s: it would tell nobody of the goal",
-                 "\"{}\" del robot {} está averiado desde {} s: no comunicaría el objetivo a nadie"},
-                model_->id, robot, shortest(model_->fault_from_s));
-  }
-  auto set = sensor(robot).set_goal(scene, point);
-  if (set && std::isfinite(fired_s_)) sensor(robot).tell_goal(scene, robot_values.subspan(offset_, size_));
-  return set;
 }
 
 void Device::fire_faulty(Sensor& sensor, const Scene& scene, Draws& draws, std::span<double> values) noexcept {

@@ -35,10 +35,6 @@ class Device {
   }
   /// All robots' have fired.
   void fired(double time_s) noexcept { fired_s_ = time_s; }
-  /// Somebody sets a goal for a robot whose trainer this is: see Sensor::set_goal(). If it has spoken already, it tells
-  /// of the goal at once. Fails also where it is broken.
-  Result<Vector2> set_goal(std::size_t robot, const Scene& scene, Vector2 point, std::span<double> robot_values);
-  void hear(std::size_t robot, const ActFrame& frame) noexcept { sensor(robot).hear(frame); }
   double age_s(double time_s) const noexcept { return time_s - fired_s_; }
 
   /// Whether it fires as an episode begins.

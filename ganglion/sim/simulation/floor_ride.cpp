@@ -70,7 +70,7 @@ Movement FloorRide::over(const Floor& floor, const Movement& wanted, Truth& trut
     Draws draws(stream_, steps_);
     const double left = std::clamp(zone->slip + zone->slip_spread * draws.normal(), 0.0, 1.0);
     const double right = std::clamp(zone->slip + zone->slip_spread * draws.normal(), 0.0, 1.0);
-    movement = slipping(movement, left, right, model_->description.width_m);
+    movement = slipping(movement, left, right, model_->description.body->width_m);
   }
   if (too_steep) {
     movement.displacement = {};

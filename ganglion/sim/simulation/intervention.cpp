@@ -1,73 +1,42 @@
-#include "ganglion/sim/simulation/intervention.h"
-
 #include <algorithm>
-#include <cmath>
-#include <utility>
+#include <array>
 
 #include "ganglion/base/text.h"
 #include "ganglion/sim/simulation/simulation.h"
 
 namespace ganglion::sim {
 
-Result<Intervened> Simulation::intervene(const Intervention& intervention) {
-  const Vector2 point = std::visit([](const auto& one) { return one.point; }, intervention);
-  if (!std::isfinite(point.x) || !std::isfinite(point.y)) {
-    return fail(ErrorCode::BadParameter,
-                {"the point is ({}, {}), must be two finite numbers [m]",
-                 "el punto es ({}, {}), deben ser dos números finitos [m]"},
-                point.x, point.y);
-  }
-  if (const auto* goal = std::get_if<SetGoal>(&intervention)) return set_goal(*goal);
-  return put_mover(std::get<PutMover>(intervention));
+std::span<const InterventionDescriptor> Simulation::interventions() const noexcept {
+  static constexpr std::array<InterventionArgument, 2> kPoint = {{{"x_m", "m"}, {"y_m", "m"}}};
+  static constexpr std::array kList = {InterventionDescriptor{
+      .name = "obstacle",
+      .title = {"an obstacle", "un obstáculo"},
+      .subject = "mover",
+      .arguments = kPoint,
+      .code = 1,
+      .line = {"\"{subject}\" put at ({x_m}, {y_m})", "\"{subject}\" puesto en ({x_m}, {y_m})"}}};
+  return kList;
 }
 
-Result<Intervened> Simulation::set_goal(const SetGoal& wish) {
-  if (wish.robot < 0 || wish.robot >= robots()) {
-    return fail(ErrorCode::NotFound,
-                {"there is no robot {}: they are numbered from 0 to {}", "no existe el robot {}: se numeran de 0 a {}"},
-                wish.robot, robots() - 1);
-  }
-  const auto robot = static_cast<std::size_t>(wish.robot);
-  const auto trainer = std::find_if(devices_.begin(), devices_.end(), [&](const Device& device) {
-    return device.sensor(robot).trainer_log() != nullptr;
-  });
-  if (trainer == devices_.end()) {
-    return fail(ErrorCode::Unsupported, {"the robot has no trainer that could set it a goal",
-                                         "el robot no tiene ningún entrenador que le fije un objetivo"});
-  }
-  const Box2& bounds = world_.ground().bounds();
-  if (!bounds.contains(wish.point)) {
-    return fail(ErrorCode::BadParameter,
-                {"({:.2f}, {:.2f}) lies outside of the world, from ({}, {}) to ({}, {})",
-                 "({:.2f}, {:.2f}) está fuera del mundo, que va de ({}, {}) a ({}, {})"},
-                wish.point.x, wish.point.y, bounds.lower.x, bounds.lower.y, bounds.upper.x, bounds.upper.y);
-  }
-  const Body& body = bodies_[robot];
-  const Scene scene{.world = world_,
-                    .robot = body.truth(),
-                    .heading = body.ahead(),
-                    .radius_m = config_.model->radius_m,
-                    .tick = tick_,
-                    .time_s = time_s_};
-  const auto centre = trainer->set_goal(robot, scene, wish.point, values_of(robot));
-  if (!centre) return tl::unexpected<Error>(centre.error());
-  return Intervened{*centre, std::as_const(*trainer).sensor(robot).trainer_log()->records().back().reachable};
-}
-
-Result<Intervened> Simulation::put_mover(const PutMover& wish) {
+Result<Intervened> Simulation::intervene(const Intervention& what) {
+  const InterventionDescriptor* descriptor = find(interventions(), what.name);
+  if (descriptor == nullptr) return Application::intervene(what);
+  const auto arguments = arguments_of(*descriptor, what);
+  if (!arguments) return tl::unexpected<Error>(arguments.error());
   const auto movers = world_.movers();
   const auto found =
-      std::find_if(movers.begin(), movers.end(), [&](const MoverState& mover) { return mover.id == wish.mover; });
+      std::find_if(movers.begin(), movers.end(), [&](const MoverState& mover) { return mover.id == what.subject; });
   if (found == movers.end()) {
     std::vector<std::string> ids;
     for (const MoverState& mover : movers) ids.emplace_back(mover.id);
-    const Sentence what = say({"the world has no mover \"{}\"{}", "el mundo no tiene el obstáculo móvil \"{}\"{}"},
-                              wish.mover, suggestion(wish.mover, ids));
-    return tl::unexpected<Error>(Error{ErrorCode::NotFound, what, {}, {.found = wish.mover, .choices = ids}});
+    const Sentence sentence = say({"the world has no mover \"{}\"{}", "el mundo no tiene el obstáculo móvil \"{}\"{}"},
+                                  what.subject, suggestion(what.subject, ids));
+    return tl::unexpected<Error>(Error{ErrorCode::NotFound, sentence, {}, {.found = what.subject, .choices = ids}});
   }
-  const auto put = world_.put_mover(static_cast<std::size_t>(found - movers.begin()), wish.point, neighbours_.discs());
+  const Vector2 point{(*arguments)[0], (*arguments)[1]};
+  const auto put = world_.put_mover(static_cast<std::size_t>(found - movers.begin()), point, neighbours_.discs());
   if (!put) return tl::unexpected<Error>(put.error());
-  return Intervened{wish.point};
+  return Intervened{{{"x_m", point.x}, {"y_m", point.y}}};
 }
 
 }  // namespace ganglion::sim

@@ -92,7 +92,7 @@ min = [0]
                                  "robot.toml", kKinds, problems);
   ASSERT_TRUE(model) << problems.text();
   EXPECT_FALSE(model->simulated());
-  const RobotDescription& description = model->description;
+  const Description& description = model->description;
   EXPECT_EQ(description.sensations[0].type, ValueType::Circular);
   EXPECT_EQ(description.sensation_values(), 2);
   EXPECT_EQ(description.commands[0].elements[1].min, -2);
@@ -170,20 +170,15 @@ TEST(RobotModel, RefusesToMixItsTwoForms) {
             "robot.toml:33:8: a: a: safe is 3, must be in [-1, 1]\n");
 }
 
-TEST(RobotModel, TakesOverridesAndFilesThatAreNotThere) {
-  const auto path = std::filesystem::path(::testing::TempDir()) / "robot_file_test.toml";
-  std::ofstream(path) << kNimrod;
+TEST(RobotModel, TakesOverrides) {
+  auto root = *config::parse(kNimrod, "robot.toml");
+  ASSERT_TRUE(config::apply(root, *config::parse_override("drive.full_scale_mps=0.3")));
+  ASSERT_TRUE(config::apply(root, *config::parse_override("sensor.sonar_left.fault=dead")));
   Problems problems;
-  const std::array overrides = {*config::parse_override("drive.full_scale_mps=0.3"),
-                                *config::parse_override("sensor.sonar_left.fault=dead")};
-  const auto model = load_robot(path, kKinds, overrides, problems);
+  const auto model = read_robot(root, kKinds, problems);
   ASSERT_TRUE(model) << problems.text();
   EXPECT_EQ(model->drive_parameters.real("full_scale_mps"), 0.3);
   EXPECT_EQ(model->sensors[0].fault, Fault::Dead);
-  EXPECT_EQ(load_description(path, kKinds, {}, problems)->name, "Nimrod");
-  std::filesystem::remove(path);
-  EXPECT_FALSE(load_description(path, kKinds, {}, problems));
-  EXPECT_EQ(problems.sorted().front().code, ErrorCode::NotFound);
 }
 
 TEST(RobotModel, OutlivesMutatedFiles) {

@@ -21,12 +21,12 @@ const std::string kSensors =
 
 TEST(Simulation, DescribesItsSensationsAndCommands) {
   Trial trial(kRoom, kFast + kSensors, at(5, 5));
-  const RobotDescription& description = trial.simulation->description();
+  const Description& description = trial.simulation->description();
   ASSERT_EQ(description.sensations.size(), 5u);
   EXPECT_EQ(description.sensations[0].name, "sonar.range");
   EXPECT_EQ(description.sensations[0].min, 0.02);
   EXPECT_EQ(description.sensations[0].max, 3);
-  EXPECT_EQ(description.sensations[0].mount.position, (Vector2{0.1, 0}));
+  EXPECT_EQ(description.mount("sonar.range")->pose.position, (Vector2{0.1, 0}));
   EXPECT_EQ(description.sensations[1].name, "sonar.echo_time");
   EXPECT_EQ(description.sensations[2].type, ValueType::Circular);
   EXPECT_EQ(description.sensations[3].elements, (std::vector<std::string>{"x", "y"}));

@@ -13,7 +13,10 @@ constexpr double kApart_m = 1e-6;  // left over between robots that meet nothing
 }  // namespace
 
 Simulation::Simulation(SimulationConfig config, Spawner spawner)
-    : config_(std::move(config)), spawner_(std::move(spawner)), world_(config_.ground) {}
+    : config_(std::move(config)),
+      spawner_(std::move(spawner)),
+      world_(config_.ground),
+      terrain_(config_.ground, &world_) {}
 
 Result<std::unique_ptr<Simulation>> Simulation::make(SimulationConfig config) {
   if (config.ground == nullptr)
@@ -50,7 +53,6 @@ Result<void> Simulation::add_devices() {
     auto device = Device::make(sensor, bodies_.size(), stride_);
     if (!device) return tl::unexpected<Error>(device.error());
     stride_ += device->size();
-    if (device->sensor().hears()) listeners_.push_back(devices_.size());
     devices_.push_back(std::move(*device));
   }
   expects(stride_ == static_cast<std::size_t>(config_.model->description.sensation_values()));
@@ -60,6 +62,8 @@ Result<void> Simulation::add_devices() {
 /// What depends on all robots and their devices.
 void Simulation::prepare() {
   values_.resize(stride_ * bodies_.size());
+  truths_.resize(sim::truth_channels().size() * bodies_.size());
+  placed_.resize(world_.movers().size());
   ages_s_.resize(config_.model->description.sensations.size());
   way_m_.resize(bodies_.size());
   is_busy_.resize(bodies_.size());
@@ -73,8 +77,9 @@ void Simulation::prepare() {
 }
 
 Result<void> Simulation::reset(std::uint64_t seed, std::uint32_t episode) {
-  tick_ = substeps_ = pace_steps_ = 0;
-  time_s_ = pace_s_ = pace_began_s_ = 0;
+  tick_ = substeps_ = 0;
+  clock_ = {};
+  time_s_ = 0;
   world_.reset(seed, episode);
   std::vector<Pose2> poses(bodies_.size());
   if (auto placed = spawner_.place(world_, seed, episode, poses); !placed) return placed;
@@ -116,16 +121,8 @@ void Simulation::sense(std::span<SenseFrame> frames) noexcept {
 
 void Simulation::step(std::span<const ActFrame> frames, double step_s) noexcept {
   expects(frames.size() == bodies_.size() && step_s > 0);
-  if (step_s != pace_s_) {
-    pace_s_ = step_s;
-    pace_began_s_ = time_s_;
-    pace_steps_ = 0;
-  }
-  const double end_s = pace_began_s_ + step_s * (pace_steps_ + 1);
-  for (std::size_t i = 0; i < frames.size(); ++i) {
-    bodies_[i].begin(frames[i], step_s);
-    for (const std::size_t n : listeners_) devices_[n].hear(i, frames[i]);
-  }
+  const double end_s = clock_.end_s(step_s);
+  for (std::size_t i = 0; i < frames.size(); ++i) bodies_[i].begin(frames[i], step_s);
   const int count = std::max(1, static_cast<int>(std::ceil(step_s / config_.model->substep_s - 1e-9)));
   const double length_s = step_s / count, last_s = time_s_ + length_s * (count - 1);
   const bool plain = world_.movers().empty() && world_.ground().plan().floor.plain();
@@ -142,7 +139,7 @@ void Simulation::step(std::span<const ActFrame> frames, double step_s) noexcept 
   }
   run_devices(last_s, end_s, end_s);
   substeps_ += static_cast<std::uint32_t>(count);
-  ++pace_steps_;
+  clock_.advance();
   ++tick_;
   time_s_ = end_s;
 }
@@ -294,21 +291,16 @@ void Simulation::draw(std::size_t robot, std::span<const Lookout::Call> calls) n
   Draws::foresee_normals(draws_);
 }
 
-const TrainerLog* Simulation::trainer_log(int robot) const noexcept {
-  for (const Device& device : devices_) {
-    if (const TrainerLog* log = device.sensor(static_cast<std::size_t>(robot)).trainer_log()) return log;
-  }
-  return nullptr;
+std::span<const double> Simulation::truth_of(int robot) const noexcept {
+  const std::size_t size = sim::truth_channels().size();
+  const auto row = std::span(truths_).subspan(static_cast<std::size_t>(robot) * size, size);
+  write_truth(truth(robot), row);
+  return row;
 }
 
-bool Simulation::trainer_done() const noexcept {
-  bool any = false;
-  for (int i = 0; i < robots(); ++i) {
-    const TrainerLog* log = trainer_log(i);
-    if (log != nullptr && !log->done()) return false;
-    any = any || log != nullptr;
-  }
-  return any;
+std::span<const PlacedMover> Simulation::movers() const noexcept {
+  for (std::size_t n = 0; n < placed_.size(); ++n) placed_[n] = {world_.movers()[n].id, world_.movers()[n].pose};
+  return placed_;
 }
 
 }  // namespace ganglion::sim

@@ -5,14 +5,15 @@
 #include <vector>
 
 #include "ganglion/application/application.h"
+#include "ganglion/application/step_clock.h"
 #include "ganglion/sim/robot/robot_model.h"
-#include "ganglion/sim/robot/witness.h"
+#include "ganglion/sim/robot/truth_channels.h"
 #include "ganglion/sim/simulation/body.h"
 #include "ganglion/sim/simulation/crowd.h"
 #include "ganglion/sim/simulation/device.h"
-#include "ganglion/sim/simulation/intervention.h"
 #include "ganglion/sim/simulation/lookout.h"
 #include "ganglion/sim/simulation/spawn.h"
+#include "ganglion/sim/world/ground_terrain.h"
 
 namespace ganglion::sim {
 
@@ -23,7 +24,8 @@ struct SimulationConfig {
   SpawnRule spawn = SpawnRandom{};
 };
 
-/// Robots of one model in a world, as an Application. Robots are solid to each other and seen by each other's sensors;
+/// Robots of one model in a world, as an Application; tasks are set to them by a
+/// TaskedApplication. Robots are solid to each other and seen by each other's sensors;
 /// a robot that nobody comes near has the same bits whether it is alone or among others.
 ///
 /// A step is cut into sub-steps of at most model.substep_s. In each the movers go first, then the robots, those who
@@ -37,35 +39,34 @@ class Simulation final : public Application, public Witness {
   /// Fails with BadParameter without ground, robots or a simulated model, or where the spawn rule cannot hold.
   static Result<std::unique_ptr<Simulation>> make(SimulationConfig config);
 
-  const RobotDescription& description() const noexcept override { return config_.model->description; }
+  const Description& description() const noexcept override { return config_.model->description; }
   int robots() const noexcept override { return config_.robots; }
-  /// Fails with BadParameter where a robot finds no place, or a sensor (a trainer) no sense in the scene.
+  /// Fails with BadParameter where a robot finds no place, or a sensor no sense in the scene.
   Result<void> reset(std::uint64_t seed, std::uint32_t episode) override;
   void sense(std::span<SenseFrame> frames) noexcept override;
   void step(std::span<const ActFrame> frames, double step_s) noexcept override;
 
-  /// Something is done to the running world: after reset(), between ticks. A goal is in the frames of the next sense();
-  /// a mover stands there at once, and stays (see World::put_mover()); sensors see it at their next firing. Draws
-  /// nothing. Fails, and does nothing, with NotFound for an unknown robot or mover, Unsupported without a trainer,
-  /// BadParameter where it cannot be, TooLarge for too many goals. Takes memory.
-  Result<Intervened> intervene(const Intervention& intervention);
+  const ganglion::Witness* witness() const noexcept override { return this; }
+  const Terrain* terrain() const noexcept override { return &terrain_; }
+  std::span<const InterventionDescriptor> interventions() const noexcept override;
+  /// "obstacle": a mover stands with its centre at a point at once, and stays (see World::put_mover()); sensors see it at
+  /// their next firing.
+  Result<Intervened> intervene(const Intervention& what) override;
+
+  std::span<const TruthChannel> truth_channels() const noexcept override { return sim::truth_channels(); }
+  std::span<const double> truth_of(int robot) const noexcept override;
+  double time_s() const noexcept override { return time_s_; }
+  std::span<const PlacedMover> movers() const noexcept override;
 
   std::uint32_t tick() const noexcept { return tick_; }
-  double time_s() const noexcept { return time_s_; }
-  const Truth& truth(int robot) const noexcept override { return bodies_[static_cast<std::size_t>(robot)].truth(); }
+  const Truth& truth(int robot) const noexcept { return bodies_[static_cast<std::size_t>(robot)].truth(); }
   const World& world() const noexcept { return world_; }
   const RobotModel& model() const noexcept { return *config_.model; }
-  const TrainerLog* trainer_log(int robot) const noexcept override;
-  std::span<const MoverState> movers() const noexcept override { return world_.movers(); }
-  /// There are trainers, and all have seen the outcome of their last goal.
-  bool trainer_done() const noexcept;
 
  private:
   explicit Simulation(SimulationConfig config, Spawner spawner);
   Result<void> add_bodies();
   Result<void> add_devices();
-  Result<Intervened> set_goal(const SetGoal& wish);
-  Result<Intervened> put_mover(const PutMover& wish);
   void prepare();
   /// Of all sensations of a robot, in the order of frames.
   std::span<double> values_of(std::size_t robot) noexcept {
@@ -94,12 +95,12 @@ class Simulation final : public Application, public Witness {
   SimulationConfig config_;
   Spawner spawner_;
   World world_;
+  GroundTerrain terrain_;  // with the movers of world_
   std::vector<Body> bodies_;
   std::vector<Device> devices_;
-  std::vector<std::size_t> listeners_;  // those of them that hear commands
-  std::size_t stride_ = 0;              // values of one robot
-  std::vector<double> values_;          // of all robots
-  std::vector<double> ages_s_;          // of all channels, the same for all robots
+  std::size_t stride_ = 0;      // values of one robot
+  std::vector<double> values_;  // of all robots
+  std::vector<double> ages_s_;  // of all channels, the same for all robots
   Neighbours neighbours_;
   std::vector<double> way_m_;  // of each robot in this step
   std::vector<char> is_busy_;
@@ -108,13 +109,13 @@ class Simulation final : public Application, public Witness {
   std::vector<Crowd::Wish> wishes_;  // of each robot in this sub-step
   std::unique_ptr<Crowd> crowd_;
   std::unique_ptr<Lookout> lookout_;
-  std::vector<Draws> draws_;  // of the devices of one robot that draw a normal first
+  std::vector<Draws> draws_;                 // of the devices of one robot that draw a normal first
+  mutable std::vector<double> truths_;       // of all robots, as far as somebody asked
+  mutable std::vector<PlacedMover> placed_;  // the same
   std::uint32_t tick_ = 0;
   std::uint32_t substeps_ = 0;
-  double time_s_ = 0;
-  double pace_s_ = 0;        // length of the present run of equal steps' step
-  double pace_began_s_ = 0;  // time at which they began, so that time is a product, not a sum
-  std::uint32_t pace_steps_ = 0;
+  StepClock clock_;
+  double time_s_ = 0;  // of clock_
 };
 
 }  // namespace ganglion::sim

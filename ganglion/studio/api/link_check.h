@@ -25,7 +25,7 @@ class LinkCheck {
     std::string address;               ///< One that allowed_address() takes, or "" for a program.
     std::vector<std::string> program;  ///< A listed command.
     std::filesystem::path folder;      ///< Where it is started.
-    std::optional<RobotDescription> file;
+    std::optional<Description> file;
     int robots = 0;
   };
   /// `told` gets the state at each finding, by the test's own thread.

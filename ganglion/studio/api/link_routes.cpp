@@ -1,7 +1,6 @@
 #include "ganglion/studio/api/link_routes.h"
 
-#include "ganglion/kinds/kinds.h"
-#include "ganglion/sim/robot/robot_model.h"
+#include "ganglion/kinds/applications.h"
 
 namespace ganglion::studio {
 
@@ -24,7 +23,7 @@ Result<LinkCheck::Subject> LinkRoutes::subject_of(const Experiment& experiment, 
   FolderFiles files(folder_);
   const auto robot = files.open("robot", experiment.files.robot.string(), -1, config::kMaxBytes);
   if (!robot) return tl::unexpected<Error>(robot.error());
-  subject.file = sim::load_description(files, *robot, sim_kinds(), experiment.robot_overrides, problems);
+  subject.file = read_description(files, *robot, experiment.robot_overrides, problems);
   if (!problems.empty()) return tl::unexpected<Error>(problems.sorted().front());
   return subject;
 }
@@ -43,7 +42,7 @@ Reply LinkRoutes::test_simulation(const Wanted& wanted, const Ask& ask) {
     const Sentence ready = say({"the simulation is ready: {} robot{} of \"{}\", a tick each {} s",
                                 "la simulación está lista: {} robot{} de \"{}\", un ciclo cada {} s"},
                                prepared->experiment.robots, prepared->experiment.robots == 1 ? "" : "s",
-                               prepared->robot->description.name, prepared->step_s);
+                               prepared->application->description().name, prepared->step_s);
     findings.push_back({{"good", true}, {"message", ready.in(ask.language)}});
   }
   tested_ = {

@@ -1,5 +1,6 @@
 #include "ganglion/studio/api/reach_routes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -8,9 +9,9 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-Reply intervene(const Ask& ask, CurrentRun& run, const sim::Intervention& what) {
+Reply intervene(const Ask& ask, CurrentRun& run, const Intervention& what) {
   if (auto refused = run.refuse_command(ask)) return *refused;
-  const bool bad = std::visit([](const auto& one) { return std::isnan(one.point.x + one.point.y); }, what);
+  const bool bad = std::ranges::any_of(what.arguments, [](const NamedNumber& one) { return std::isnan(one.value); });
   if (bad) return ask.refuse("BadRequest", say({"x_m and y_m must be numbers", "x_m e y_m deben ser números"}), 400);
   if (!run.is_on()) return run.answer(ask, false);
   const auto done = run.session()->intervene(what);
@@ -21,8 +22,15 @@ Reply intervene(const Ask& ask, CurrentRun& run, const sim::Intervention& what) 
                       409);
   }
   if (!*done) return failure(done->error(), ask.language);
-  const sim::Intervened& now = **done;
-  return json_reply({{"x_m", now.point.x}, {"y_m", now.point.y}, {"reachable", now.reachable}, {"state", run.state()}});
+  const Intervened& now = **done;
+  return json_reply({{"x_m", now.argument("x_m")},
+                     {"y_m", now.argument("y_m")},
+                     {"reachable", now.reachable},
+                     {"state", run.state()}});
+}
+
+std::vector<NamedNumber> point_of(const Ask& ask) {
+  return {{"x_m", ask.number("x_m", kNan)}, {"y_m", ask.number("y_m", kNan)}};
 }
 
 Reply set_goal(const Ask& ask, CurrentRun& run) {
@@ -31,11 +39,11 @@ Reply set_goal(const Ask& ask, CurrentRun& run) {
     return ask.refuse("BadRequest",
                       say({"robot must be a whole number from 0 on", "robot debe ser un número entero desde 0"}), 400);
   }
-  return intervene(ask, run, sim::SetGoal{static_cast<int>(robot), {ask.number("x_m", kNan), ask.number("y_m", kNan)}});
+  return intervene(ask, run, {"goal", static_cast<int>(robot), "", point_of(ask)});
 }
 
 Reply put_obstacle(const Ask& ask, CurrentRun& run) {
-  return intervene(ask, run, sim::PutMover{ask.text("mover"), {ask.number("x_m", kNan), ask.number("y_m", kNan)}});
+  return intervene(ask, run, {"obstacle", 0, ask.text("mover"), point_of(ask)});
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 /// What the checks say, in the order of its English.
 using Complaints = std::multimap<std::string, Sentence>;
 
-Complaints checked(ControllerModel model, const RobotDescription& robot) {
+Complaints checked(ControllerModel model, const Description& robot) {
   Problems problems;
   resolve(model, robot, problems);
   order(model, problems);

@@ -5,8 +5,8 @@
 
 #include "ganglion/config/source/tolerant.h"
 #include "ganglion/graph/order.h"
+#include "ganglion/kinds/applications.h"
 #include "ganglion/kinds/kinds.h"
-#include "ganglion/sim/robot/robot_model.h"
 #include "ganglion/studio/document/component_lists.h"
 
 namespace ganglion::studio {
@@ -21,8 +21,8 @@ bool inside(const fs::path& file, const fs::path& folder) {
   return std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first == root.end();
 }
 
-std::optional<RobotDescription> load_robot(FileReader& files, const ControllerModel& model, const config::Value& root,
-                                           const DocumentPlace& place, Problems& problems) {
+std::optional<Description> load_robot(FileReader& files, const ControllerModel& model, const config::Value& root,
+                                      const DocumentPlace& place, Problems& problems) {
   const config::Value* named = root.find("robot");
   const Place where = named != nullptr ? named->place() : Place{place.file.string(), 1, 1};
   if (model.robot.empty()) {
@@ -38,9 +38,9 @@ std::optional<RobotDescription> load_robot(FileReader& files, const ControllerMo
     return std::nullopt;
   }
   Problems in_robot;
-  std::optional<RobotDescription> robot;
+  std::optional<Description> robot;
   if (const auto file = files.open("robot", model.robot.string(), -1, config::kMaxBytes)) {
-    robot = sim::load_description(files, *file, sim_kinds(), {}, in_robot);
+    robot = read_description(files, *file, {}, in_robot);
   } else {
     in_robot.add(file.error());
   }

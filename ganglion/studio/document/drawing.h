@@ -34,7 +34,7 @@ struct Drawing {
   std::vector<config::ItemSource> sources;
   ControllerModel unresolved;  ///< As the file says it.
   ControllerModel model;       ///< Held against the robot, where one is known.
-  std::optional<RobotDescription> robot;
+  std::optional<Description> robot;
   std::filesystem::path robot_path;  ///< From the folder on; empty where it is outside.
   std::map<std::string, std::pair<double, double>> layout;
   std::vector<DrawingProblem> problems;  ///< In the order of the lines.

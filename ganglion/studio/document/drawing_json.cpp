@@ -21,7 +21,7 @@ void write_robot(JsonText& json, const Drawing& drawing) {
   json.key("robot").begin_object();
   json.member("path", drawing.robot_path.generic_string());
   json.member("name", drawing.robot ? drawing.robot->name : "").member("known", drawing.robot.has_value());
-  const RobotDescription robot = drawing.robot.value_or(RobotDescription{});
+  const Description robot = drawing.robot.value_or(Description{});
   json.key("channels").begin_list();
   for (const SensationChannel& channel : robot.sensations) {
     json.begin_object().member("name", channel.name).member("unit", channel.unit);

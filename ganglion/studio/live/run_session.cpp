@@ -100,7 +100,7 @@ bool RunSession::over() const {
   return phase_ == "done";
 }
 
-std::optional<Result<sim::Intervened>> RunSession::intervene(const sim::Intervention& what) {
+std::optional<Result<Intervened>> RunSession::intervene(const Intervention& what) {
   if (prepared_->experiment.link.remote()) {
     return fail(ErrorCode::Unsupported,
                 {"the robots are at the other end of a link; goals and obstacles can only be set in a world that is "

@@ -54,7 +54,7 @@ class RunSession {
   /// Has something done to the running world before its next tick, also while the run is held, and waits until that is
   /// done or refused. None where no tick will come. Fails with what the simulation says, with TooLarge where too many
   /// others wait, or with BadParameter where the present tick takes too long.
-  std::optional<Result<sim::Intervened>> intervene(const sim::Intervention& what);
+  std::optional<Result<Intervened>> intervene(const Intervention& what);
 
   /// docs/studio_api.md, RunState.
   Json state() const;
@@ -72,8 +72,8 @@ class RunSession {
   bool change(Change&& what);
   /// An intervention that somebody waits for.
   struct Wish {
-    const sim::Intervention* what;
-    std::optional<Result<sim::Intervened>> answer;
+    const Intervention* what;
+    std::optional<Result<Intervened>> answer;
     bool too_late = false;  ///< No tick will come; there is no answer then.
   };
   void grant(std::unique_lock<std::mutex>& lock);

@@ -28,7 +28,7 @@ struct Order {
 class Recorder final : public Application {
  public:
   explicit Recorder(Application& inner) : inner_(inner) {}
-  const RobotDescription& description() const noexcept override { return inner_.description(); }
+  const Description& description() const noexcept override { return inner_.description(); }
   int robots() const noexcept override { return inner_.robots(); }
   Result<void> reset(std::uint64_t seed, std::uint32_t episode) override { return inner_.reset(seed, episode); }
   void sense(std::span<SenseFrame> frames) noexcept override { inner_.sense(frames); }
@@ -40,6 +40,7 @@ class Recorder final : public Application {
     }
     inner_.step(frames, step_s);
   }
+  const Witness* witness() const noexcept override { return inner_.witness(); }
   std::vector<Order> orders() const {
     const std::lock_guard lock(mutex_);
     return orders_;
@@ -59,12 +60,12 @@ class Robot {
     if (!change.empty()) overrides.push_back(*config::parse_override(change));
     Problems problems;
     prepared_ = prepare(experiment, overrides, problems).value();
-    robots_.emplace(RunRobots::simulate(prepared_, prepared_.ground, {}).value());
-    EXPECT_TRUE(robots_->application().reset(1, 0));
-    recorder_.emplace(robots_->application());
+    application_ = prepared_.application->make().value();
+    EXPECT_TRUE(application_->reset(1, 0));
+    recorder_.emplace(*application_);
     link::RobotEndConfig config;
     config.token = link::random_token;
-    end_.emplace(*recorder_, robots_->witness(), config);
+    end_.emplace(*recorder_, config);
     server_ = std::move(link::Server::listen(*end_, *link::parse_address("127.0.0.1:0")).value());
     thread_ = std::jthread([this] {
       server_->serve([this] { return stop_.load(); }, say({"the simulation was ended", "se terminó la simulación"}));
@@ -81,7 +82,7 @@ class Robot {
 
  private:
   Prepared prepared_;
-  std::optional<RunRobots> robots_;
+  std::unique_ptr<Application> application_;
   std::optional<Recorder> recorder_;
   std::optional<link::RobotEnd> end_;
   std::unique_ptr<link::Server> server_;

@@ -116,14 +116,14 @@ TEST_F(Reaching, SaysWhyNot) {
   EXPECT_EQ(refusal(client, "/api/run/obstacle", crate(10.25, 9.25), 409), "no run is on");
 }
 
-TEST_F(Reaching, RefusesWhereTheRobotHasNoTrainerOrIsNotOurs) {
+TEST_F(Reaching, RefusesWhereTheRobotHasNoSuchTaskOrIsNotOurs) {
   const Client client = client_of();
   Watcher watcher(client);
   const Json nimrod = {{"experiment", "experiment.toml"}, {"paused", true}, {"record", false}};
   ASSERT_EQ(client.post("/api/run/start", nimrod).status, 200u);
   while (client.get("/api/run").json()["state"] != "armed") {
   }
-  EXPECT_EQ(refusal(client, "/api/run/goal", goal(1, 1), 400), "the robot has no trainer that could set it a goal");
+  EXPECT_EQ(refusal(client, "/api/run/goal", goal(1, 1), 400), "\"goal\" cannot be done to Nimrod");
   client.post("/api/run/stop", {});
   server().attach(std::make_shared<LiveFeed>(), {{"state", "running"}});
   EXPECT_EQ(refusal(client, "/api/run/goal", goal(1, 1), 403),

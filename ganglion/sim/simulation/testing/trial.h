@@ -21,8 +21,9 @@
 #include "ganglion/sim/sensor/sonar/sonar.h"
 #include "ganglion/sim/sensor/thermometer/thermometer.h"
 #include "ganglion/sim/sensor/tilt/tilt.h"
-#include "ganglion/sim/sensor/trainer/trainer.h"
 #include "ganglion/sim/simulation/simulation.h"
+#include "ganglion/task/go_to/go_to.h"
+#include "ganglion/task/tasked_application.h"
 
 namespace ganglion::sim::testing {
 
@@ -30,8 +31,9 @@ inline constexpr std::array kDrives = {&ackermann_kind, &differential_kind, &ste
 inline constexpr std::array kSensors = {
     &audio_events_kind, &battery_kind, &bumper_kind,       &cmps03_kind,   &compass_kind, &dinsmore_compass_kind,
     &encoders_kind,     &gps_kind,     &pixel_matrix_kind, &position_kind, &range_kind,   &sonar_kind,
-    &thermometer_kind,  &tilt_kind,    &trainer_kind};
-inline constexpr SimKinds kKinds{kDrives, kSensors};
+    &thermometer_kind,  &tilt_kind};
+inline constexpr std::array kTasks = {&go_to_kind};
+inline constexpr SimKinds kKinds{kDrives, kSensors, kTasks};
 
 /// A square of 10 m.
 inline constexpr std::string_view kRoom =
@@ -47,33 +49,36 @@ inline std::shared_ptr<const RobotModel> robot_of(const std::string& more) {
 }
 inline const std::string kFast = "[drive]\nkind = \"Differential\"\nfull_scale_mps = 1\ntrack_m = 0.2\n";
 
-/// A simulation with its frames.
+/// A simulation with the tasks of its robots, and its frames.
 class Trial {
  public:
   Trial(std::string_view world, const std::string& robot, SpawnRule spawn, int robots = 1)
       : Trial(ground_of(world), robot_of(robot), std::move(spawn), robots) {}
   Trial(std::shared_ptr<const Ground> ground, std::shared_ptr<const RobotModel> model, SpawnRule spawn, int robots) {
-    auto made = Simulation::make({std::move(ground), std::move(model), robots, std::move(spawn)});
+    auto made = Simulation::make({std::move(ground), model, robots, std::move(spawn)});
     EXPECT_TRUE(made) << made.error().what.en;
-    simulation = std::move(*made);
+    simulation = made->get();
+    auto tasked = TaskedApplication::make(std::move(*made), model->tasked, model->tasks);
+    EXPECT_TRUE(tasked) << tasked.error().what.en;
+    application = std::move(*tasked);
     for (int i = 0; i < robots; ++i) {
-      senses.push_back(make_sense_frame(simulation->description()));
-      acts.push_back(make_act_frame(simulation->description()));
+      senses.push_back(make_sense_frame(application->description()));
+      acts.push_back(make_act_frame(application->description()));
       acts.back().ttl_s.assign(acts.back().ttl_s.size(), 1e9);
     }
     reset(1, 0);
   }
   void reset(std::uint64_t seed, std::uint32_t episode) {
-    const auto ready = simulation->reset(seed, episode);
+    const auto ready = application->reset(seed, episode);
     EXPECT_TRUE(ready) << ready.error().what.en;
-    simulation->sense(senses);
+    application->sense(senses);
   }
   /// The same command for all robots, for a number of steps.
   void go(std::initializer_list<double> values, double step_s, int steps = 1) {
     for (ActFrame& act : acts) act.values = values;
     for (int n = 0; n < steps; ++n) {
-      simulation->step(acts, step_s);
-      simulation->sense(senses);
+      application->step(acts, step_s);
+      application->sense(senses);
     }
   }
   const Truth& truth(int robot = 0) const { return simulation->truth(robot); }
@@ -83,20 +88,21 @@ class Trial {
   }
   double age_s(const std::string& channel) const { return senses[0].ages_s[index(channel)]; }
 
-  std::unique_ptr<Simulation> simulation;
+  std::unique_ptr<Application> application;
+  Simulation* simulation = nullptr;  // of application
   std::vector<SenseFrame> senses;
   std::vector<ActFrame> acts;
 
  private:
   std::size_t index(const std::string& channel) const {
-    const auto& sensations = simulation->description().sensations;
+    const auto& sensations = application->description().sensations;
     for (std::size_t i = 0; i < sensations.size(); ++i) {
       if (sensations[i].name == channel) return i;
     }
     ADD_FAILURE() << "no channel " << channel;
     return 0;
   }
-  int offset(const std::string& channel) const { return simulation->description().sensation_offset(index(channel)); }
+  int offset(const std::string& channel) const { return application->description().sensation_offset(index(channel)); }
 };
 
 inline SpawnRule at(double x_m, double y_m, double yaw_deg = 0) {

@@ -165,7 +165,13 @@ TEST(WorldFile, IsChangedByOverridesAndNamesThem) {
 }
 
 TEST(WorldFile, NamesAMapThatIsNotThere) {
-  EXPECT_NE(problems_of("map = \"none.yaml\"\n").find("w.toml:2:7: there is no file none.yaml"), std::string::npos);
+  const auto path = std::filesystem::path(::testing::TempDir()) / "mapless_world.toml";
+  std::ofstream(path) << "format = 1\nmap = \"none.yaml\"\n";
+  Problems problems;
+  EXPECT_FALSE(Ground::load(path, problems));
+  EXPECT_NE(problems.text().find("mapless_world.toml:2:7: "), std::string::npos) << problems.text();
+  EXPECT_NE(problems.text().find("none.yaml"), std::string::npos) << problems.text();
+  std::filesystem::remove(path);
 }
 
 TEST(Ground, HoldsItsLimits) {

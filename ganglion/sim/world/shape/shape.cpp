@@ -20,16 +20,6 @@ bool edge_parts(std::span<const Vector2> a, std::span<const Vector2> b) noexcept
 
 }  // namespace
 
-void Box2::include(Vector2 point) noexcept {
-  lower = {std::min(lower.x, point.x), std::min(lower.y, point.y)};
-  upper = {std::max(upper.x, point.x), std::max(upper.y, point.y)};
-}
-
-Box2 empty_box() noexcept {
-  constexpr double kInf = std::numeric_limits<double>::infinity();
-  return {{kInf, kInf}, {-kInf, -kInf}};
-}
-
 std::vector<Vector2> rectangle(Vector2 centre, double length_m, double width_m, double yaw_rad) {
   const Vector2 along = direction(yaw_rad) * (length_m / 2);
   const Vector2 across = direction(yaw_rad).left() * (width_m / 2);
