@@ -121,6 +121,16 @@ TEST_F(FileParameters, ThatCannotBeReadAreToldWhereTheyAreNamed) {
   EXPECT_EQ(told("rules = \"just.txt\"\n"), "");
 }
 
+TEST_F(FileParameters, HaveALimitTogether) {
+  put("long.txt", std::string(kMaxFileText - 3, 'n') + " 2\n");  // one output with a name of 1 MiB
+  std::string text;
+  for (int i = 0; i < 65; ++i)
+    text += fmt::format("[[sensing]]\nid = \"y{}\"\nkind = \"Ruled\"\nrules = \"long.txt\"\nin.in = \"a\"\n", i);
+  EXPECT_EQ(told(text), "") << "65 MiB: the last of them is over";
+  text += "[[sensing]]\nid = \"z\"\nkind = \"Ruled\"\nin.in = \"a\"\n";
+  EXPECT_EQ(told(text), "c.toml:334:1: the files that parameters name have more than 67108864 bytes together\n");
+}
+
 TEST_F(FileParameters, TellAnErrorOfTheirOwnAtTheirOwnLine) {
   put("rules.txt", "near 2\nfar away\n");
   EXPECT_EQ(told("rules = \"rules.txt\"\n"), "rules.txt:2:5: x: no number\n");

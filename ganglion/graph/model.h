@@ -102,6 +102,8 @@ inline constexpr std::size_t kMaxComponents = 4096;
 /// Most wires one input may take, and most values that all signals and inputs together may have.
 inline constexpr std::size_t kMaxWires = 4096;
 inline constexpr std::size_t kMaxValues = std::size_t{1} << 20;
+/// Most bytes that the files named by its parameters may have together, one that is named twice counted twice.
+inline constexpr std::size_t kMaxFileTexts = std::size_t{64} << 20;
 
 /// The tolerance of an element of a Feedback port that requests are compared with, where the file gives none: 0.05 m,
 /// 5 deg, and 0 for whole numbers, whose requests take no other, and for every other unit.

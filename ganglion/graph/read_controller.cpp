@@ -276,6 +276,15 @@ void read_component(Table& table, ComponentClass component_class, const KindList
   model.components.push_back(std::move(component));
 }
 
+/// Bytes of the files that its parameters name.
+std::size_t file_bytes(const ComponentModel& component) {
+  std::size_t bytes = 0;
+  for (const ParameterDescriptor& parameter : component.parameters.descriptors()) {
+    if (parameter.type == ParameterType::File) bytes += component.parameters.file(parameter.name).text.size();
+  }
+  return bytes;
+}
+
 /// Ids under headers that are no class of components, [[actin]], or not written as a list, [acting].
 void gather_misread(Table& root, ControllerModel& model) {
   const auto is_class = [](std::string_view key) {
@@ -349,14 +358,25 @@ ControllerModel read_controller(const config::Value& value, const KindList& kind
   model.robot = root.path("robot");
   model.tick_s = root.number("tick_s", 0, config::Range{0, 3600});
   root.known("layout");
+  std::size_t bytes = 0;
   for (const ComponentClass component_class : kClasses) {
     for (Table& table : root.tables(name_of(component_class))) {
-      if (model.components.size() >= kMaxComponents) {
-        root.problem("", ErrorCode::TooLarge, {"more than {} components", "más de {} componentes"}, kMaxComponents);
+      const bool too_many = model.components.size() >= kMaxComponents;
+      if (too_many || bytes > kMaxFileTexts) {
+        if (too_many) {
+          root.problem("", ErrorCode::TooLarge, {"more than {} components", "más de {} componentes"}, kMaxComponents);
+        } else {
+          table.problem("", ErrorCode::TooLarge,
+                        {"the files that parameters name have more than {} bytes together",
+                         "los archivos que nombran los parámetros suman más de {} bytes"},
+                        kMaxFileTexts);
+        }
         for (const std::string& key : table.keys()) table.known(key);
         return model;
       }
+      const std::size_t before = model.components.size();
       read_component(table, component_class, kinds, model);
+      if (model.components.size() > before) bytes += file_bytes(model.components.back());
     }
   }
   gather_misread(root, model);
