@@ -2,37 +2,16 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-
-#include "ganglion/run/batch.h"
-
 namespace ganglion {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using lab::FaultRow, lab::Outcome, lab::Quartiles;
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-/// Nulls where nobody knows.
-Json contacts_json(const Contacts& contacts) {
-  return {{"count", contacts.known ? Json(contacts.count) : Json(nullptr)},
-          {"fastest_mps", contacts.known ? number(contacts.fastest_mps) : Json(nullptr)}};
-}
-
-Json run_json(const RunResult& result) {
-  Json measures = Json::object();
-  for (const auto& [name, value] : result.measures) measures[name] = number(value);
-  return {
-      {"seed", result.seed},
-      {"success", result.verdict == Verdict::NotJudged ? Json(nullptr) : Json(result.verdict == Verdict::Succeeded)},
-      {"reason", result.reason.en},
-      {"digest", result.digest},
-      {"contacts", contacts_json(result.contacts)},
-      {"measures", measures},
-      {"files", result.files}};
-}
-
-std::size_t count(const std::vector<RunResult>& results, Verdict verdict) {
-  return static_cast<std::size_t>(std::ranges::count(results, verdict, &RunResult::verdict));
+std::size_t count(const std::vector<Outcome>& outcomes, Verdict verdict) {
+  return static_cast<std::size_t>(std::ranges::count(outcomes, verdict, &Outcome::verdict));
 }
 
 Text word_of(Verdict verdict) noexcept {
@@ -72,31 +51,31 @@ std::string measures_table(const std::vector<Quartiles>& measures, bool one_run,
 
 }  // namespace
 
-std::string results_json(const std::vector<RunResult>& results) {
+std::string results_json(const std::vector<Outcome>& outcomes) {
   Json runs = Json::array();
-  for (const RunResult& result : results) runs.push_back(run_json(result));
-  const Json summary = {{"count", results.size()},
-                        {"succeeded", count(results, Verdict::Succeeded)},
-                        {"quartiles", quartiles_json(quartiles(results))}};
+  for (const Outcome& outcome : outcomes) runs.push_back(lab::outcome_json(outcome));
+  const Json summary = {{"count", outcomes.size()},
+                        {"succeeded", count(outcomes, Verdict::Succeeded)},
+                        {"quartiles", quartiles_json(quartiles(outcomes))}};
   return Json{{"runs", runs}, {"summary", summary}}.dump(2) + "\n";
 }
 
-std::string results_table(const std::vector<RunResult>& results, Language language) {
+std::string results_table(const std::vector<Outcome>& outcomes, Language language) {
   Sentence text = say({"{:>6}  {:<8}{:<18}{:>9}{:>14}  {}\n", "{:>7}  {:<8}{:<18}{:>9}{:>14}  {}\n"},
                       Text{"seed", "semilla"}, Text{"success", "éxito"}, Text{"digest", "huella"},
                       Text{"contacts", "contactos"}, Text{"fastest [m/s]", "mayor [m/s]"}, Text{"reason", "motivo"});
-  for (const RunResult& result : results) {
-    const bool known = result.contacts.known;
-    text += say({"{:>6}  {:<8}{:<18}{:>9}{:>14}  {}\n", "{:>7}  {:<8}{:<18}{:>9}{:>14}  {}\n"}, result.seed,
-                word_of(result.verdict), result.digest, known ? fmt::format("{}", result.contacts.count) : "-",
-                known ? fmt::format("{:.3f}", result.contacts.fastest_mps) : "-", result.reason);
+  for (const Outcome& outcome : outcomes) {
+    const bool known = outcome.contacts.known;
+    text += say({"{:>6}  {:<8}{:<18}{:>9}{:>14}  {}\n", "{:>7}  {:<8}{:<18}{:>9}{:>14}  {}\n"}, outcome.job.seed,
+                word_of(outcome.verdict), outcome.digest, known ? fmt::format("{}", outcome.contacts.count) : "-",
+                known ? fmt::format("{:.3f}", outcome.contacts.fastest_mps) : "-", outcome.reason);
   }
-  const std::size_t judged = results.size() - count(results, Verdict::NotJudged);
+  const std::size_t judged = outcomes.size() - count(outcomes, Verdict::NotJudged);
   text += judged > 0
-              ? say({"\n{} of {} succeeded\n", "\n{} de {} con éxito\n"}, count(results, Verdict::Succeeded), judged)
+              ? say({"\n{} of {} succeeded\n", "\n{} de {} con éxito\n"}, count(outcomes, Verdict::Succeeded), judged)
               : say({"\nnot judged: the experiment has no criterion of success\n",
                      "\nsin juzgar: el experimento no tiene criterio de éxito\n"});
-  return text.in(language) + measures_table(quartiles(results), results.size() == 1, language);
+  return text.in(language) + measures_table(quartiles(outcomes), outcomes.size() == 1, language);
 }
 
 std::string faults_json(const std::vector<FaultRow>& rows) {

@@ -1,9 +1,9 @@
 #include "results_reader.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "ganglion/base/file.h"
+#include "ganglion/lab/outcome.h"
 #include "ganglion/record/catalogue.h"
 
 namespace ganglion {
@@ -21,25 +21,6 @@ tl::unexpected<Error> not_results(const std::string& file, const Sentence& why) 
                  why);
 }
 
-Result<report::BatchRun> run_of(const Json& run, std::size_t index, const std::string& file) {
-  const auto success = run.find("success"), measures = run.find("measures");
-  if (!run.is_object() || success == run.end() || !(success->is_boolean() || success->is_null()) ||
-      measures == run.end() || !measures->is_object()) {
-    return not_results(
-        file,
-        say({"runs[{}] has no \"success\" and \"measures\"", "runs[{}] no tiene \"success\" y \"measures\""}, index));
-  }
-  report::BatchRun read;  // not judged
-  if (success->is_boolean()) read.verdict = success->get<bool>() ? Verdict::Succeeded : Verdict::Failed;
-  for (const auto& [name, value] : measures->items()) {
-    if (!value.is_number() && !value.is_null())
-      return not_results(
-          file, say({"runs[{}].measures.{} is no number", "runs[{}].measures.{} no es un número"}, index, name));
-    read.measures.emplace_back(name, value.is_null() ? std::nan("") : value.get<double>());
-  }
-  return read;
-}
-
 Result<std::vector<report::BatchRun>> runs_of_json(const std::string& file) {
   const auto text = read_file(file);
   if (!text) return tl::unexpected<Error>(text.error());
@@ -52,9 +33,9 @@ Result<std::vector<report::BatchRun>> runs_of_json(const std::string& file) {
     return not_results(file, say({"there is no list \"runs\"", "no hay ninguna lista \"runs\""}));
   std::vector<report::BatchRun> read;
   for (const Json& run : *runs) {
-    auto one = run_of(run, read.size(), file);
-    if (!one) return tl::unexpected<Error>(one.error());
-    read.push_back(std::move(*one));
+    auto outcome = lab::read_outcome(run, fmt::format("runs[{}]", read.size()));
+    if (!outcome) return not_results(file, outcome.error().what);
+    read.push_back({outcome->verdict, std::move(outcome->figures)});
   }
   return read;
 }

@@ -1,17 +1,10 @@
 #include <cstdio>
-#include <ctime>
 
 #include "commands.h"
 #include "ganglion/base/text.h"
-#include "ganglion/experience/store.h"
-#include "ganglion/experience/writer.h"
-#include "ganglion/plot/from_run_file.h"
-#include "ganglion/record/catalogue.h"
-#include "ganglion/record/run_file.h"
-#include "ganglion/report/report.h"
-#include "ganglion/run/batch.h"
-#include "ganglion/run/fault_matrix.h"
-#include "ganglion/run/recording.h"
+#include "ganglion/lab/batch.h"
+#include "ganglion/lab/fault_matrix.h"
+#include "ganglion/lab/kept_experience.h"
 #include "interrupt.h"
 #include "language.h"
 #include "overrides.h"
@@ -95,55 +88,53 @@ fs::path output_folder(const RunArguments& arguments) {
 
 fs::path run_file(const fs::path& folder, std::uint64_t seed) { return folder / fmt::format("seed_{:04}.mcap", seed); }
 
-Result<std::vector<ModuleExperience>> load_experience(const std::string& file) {
-  if (file.empty() || !fs::exists(file)) return std::vector<ModuleExperience>{};
-  auto store = ExperienceStore::open(file);
-  if (!store) return tl::unexpected<Error>(store.error());
-  auto parts = store->load_all();
-  if (!parts) return tl::unexpected<Error>(parts.error());
-  return from_parts(*parts);
+lab::Job job_of(const Prepared& prepared, const RunArguments& arguments, std::uint64_t seed) {
+  return {.experiment = arguments.experiment, .overrides = prepared.experiment.overrides, .seed = seed, .faults = {}};
 }
 
-/// Lists the recorded runs, so that `ganglion runs` finds them. A catalogue that cannot be written is no loss: it is
-/// rebuilt from the files.
-void catalogue(const fs::path& folder, const std::vector<RunResult>& results, const Prepared& prepared) {
-  auto runs = RunCatalogue::open(folder);
-  if (!runs) {
-    complain(runs.error());
-    return;
-  }
-  for (const RunResult& result : results) {
-    if (result.files.empty()) continue;
-    RunSummary summary;
-    summary.file = fs::path(result.files.front()).lexically_relative(folder).generic_string();
-    summary.name = prepared.experiment.name;
-    summary.seed = result.seed;
-    summary.controller_hash = prepared.controller_hash;
-    summary.finished = true;
-    summary.digest = result.digest;
-    summary.verdict = result.verdict;
-    summary.reason = result.reason;
-    summary.measures = result.measures;
-    summary.recorded_s = std::time(nullptr);
-    if (auto added = runs->add(summary); !added) complain(added.error());
-  }
+lab::Keep keep_of(const RunArguments& arguments, std::uint64_t seed) {
+  return {.run_file = arguments.no_record ? fs::path() : run_file(output_folder(arguments), seed),
+          .report = !arguments.no_report,
+          .catalogue = true,
+          .experience = arguments.experience,
+          .language = language()};
 }
 
-int print(const RunArguments& arguments, const std::vector<RunResult>& results) {
-  const std::string text = arguments.json ? results_json(results) : results_table(results, language());
+int print(const RunArguments& arguments, const std::vector<lab::Outcome>& outcomes) {
+  const std::string text = arguments.json ? results_json(outcomes) : results_table(outcomes, language());
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
   return written ? kDone : kOutputFailed;
 }
 
-int run_many(const Prepared& prepared, const RunArguments& arguments, const SeedRange& seeds,
-             std::vector<ModuleExperience> experience) {
-  const fs::path folder = output_folder(arguments);
-  BatchOptions options;
-  options.first_seed = seeds.first;
-  options.last_seed = seeds.last;
+/// Says what could not be kept. Returns an exit code: a catalogue that cannot be written is no loss.
+int complain_of(const lab::Outcome& outcome) {
+  int code = kDone;
+  for (const lab::Trouble& trouble : outcome.troubles) {
+    if (trouble.of == lab::Trouble::Of::Link) continue;  // that is said last
+    complain(trouble.error);
+    if (trouble.of == lab::Trouble::Of::Files) code = kOutputFailed;
+  }
+  return code;
+}
+
+/// What runs of one experiment over many seeds share.
+lab::BatchOptions batch_of(const RunArguments& arguments, std::vector<ModuleExperience> experience) {
+  lab::BatchOptions options;
   options.threads = arguments.threads;
   options.experience = std::move(experience);
-  if (!arguments.no_record) options.run_file = [&](std::uint64_t seed) { return run_file(folder, seed); };
+  options.stop = interrupted;
+  return options;
+}
+
+int run_many(const Prepared& prepared, const RunArguments& arguments, const SeedRange& seeds,
+             std::vector<ModuleExperience> experience) {
+  lab::BatchOptions options = batch_of(arguments, std::move(experience));
+  options.keep = [&](const lab::Job& job) {
+    lab::Keep keep = keep_of(arguments, job.seed);
+    keep.report = keep.catalogue = false;
+    keep.experience.clear();
+    return keep;
+  };
   ProgressLine line(!arguments.json);
   const double start_s = wall_s();
   options.progress = [&](std::size_t done, std::size_t all) {
@@ -152,117 +143,67 @@ int run_many(const Prepared& prepared, const RunArguments& arguments, const Seed
                   static_cast<double>(done) / (wall_s() - start_s)));
     return true;
   };
-  options.stop = interrupted;
-  const auto results = run_batch(prepared, options);
-  if (!results) return complain(results.error());
+  const auto jobs = lab::each_seed(job_of(prepared, arguments, seeds.first), seeds.last);
+  const auto outcomes = lab::carry_out_all(prepared, jobs, options);
+  if (!outcomes) return complain(outcomes.error());
   int code = kDone;
-  for (const RunResult& result : *results) {
-    if (!result.record_error) continue;
-    complain(*result.record_error);
-    code = kOutputFailed;
+  for (const lab::Outcome& outcome : *outcomes) code = std::max(code, complain_of(outcome));
+  if (!arguments.no_record) {
+    if (const auto listed = lab::catalogue(output_folder(arguments), *outcomes, prepared); !listed)
+      complain(listed.error());
   }
-  if (!arguments.no_record) catalogue(folder, *results, prepared);
-  return std::max(code, print(arguments, *results));
+  return std::max(code, print(arguments, *outcomes));
 }
 
 /// Every fault, one after the other, each over all seeds.
 int run_faults(const Prepared& prepared, const RunArguments& arguments, const SeedRange& seeds,
                std::vector<ModuleExperience> experience) {
-  BatchOptions options;
-  options.first_seed = seeds.first;
-  options.last_seed = seeds.last;
-  options.threads = arguments.threads;
-  options.experience = std::move(experience);
+  lab::BatchOptions options = batch_of(arguments, std::move(experience));
   ProgressLine line(!arguments.json);
   options.progress = [&](std::size_t done, std::size_t all) {
     line.show(static_cast<double>(done) / static_cast<double>(all),
               say({"{} of {} runs", "{} de {} ejecuciones"}, done, all));
     return !interrupted();
   };
-  options.stop = interrupted;
-  const auto rows = run_fault_matrix(prepared, options, arguments.faults == "pairs");
+  const auto jobs = lab::each_seed(job_of(prepared, arguments, seeds.first), seeds.last);
+  const auto rows = lab::run_fault_matrix(prepared, jobs, options, arguments.faults == "pairs");
   if (!rows) return complain(rows.error());
   const std::string text = arguments.json ? faults_json(*rows) : faults_table(*rows, language());
   return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() ? kDone : kOutputFailed;
 }
 
-/// The report of a run, beside its file. Returns an exit code.
-int report(RunResult& result) {
-  const auto file = RunFile::read(result.files.front());
-  if (!file) {
-    complain(file.error());
-    return kOutputFailed;  // it was written a moment ago
-  }
-  fs::path page = result.files.front();
-  page.replace_extension(".html");
-  const plot::RunView view = plot::from_run_file(*file);
-  if (auto written = report::write_report(view, page, {language()}); !written) return complain(written.error());
-  result.files.push_back(page.string());
-  return kDone;
-}
-
-/// What a run leaves on the disk besides its file. Returns an exit code.
-int keep(const Prepared& prepared, const RunArguments& arguments, RunResult& result, ExperienceWriter* keeper) {
-  int code = kDone;
-  if (result.record_error) {
-    complain(*result.record_error);
-    code = kOutputFailed;
-  }
-  if (keeper != nullptr) {
-    if (auto kept = keeper->flush(); !kept) {
-      complain(kept.error());
-      code = kOutputFailed;
-    }
-  }
-  if (arguments.no_record || code != kDone) return code;
-  if (!arguments.no_report) code = report(result);
-  catalogue(output_folder(arguments), {result}, prepared);
-  return code;
-}
-
-int run_one(const Prepared& prepared, const RunArguments& arguments, double pace,
-            std::vector<ModuleExperience> experience) {
-  RunOptions options;
-  options.seed = arguments.has_seed ? arguments.seed : prepared.experiment.seed;
-  options.pace = pace;
-  options.experience = std::move(experience);
-  if (!arguments.no_record) options.run_file = run_file(output_folder(arguments), options.seed);
-  std::unique_ptr<ExperienceWriter> keeper;
-  if (!arguments.experience.empty()) {
-    auto store = ExperienceStore::open(arguments.experience);
-    if (!store) return complain(store.error());
-    keeper = std::make_unique<ExperienceWriter>(std::move(*store));
-    options.learned = [&](const std::vector<ModuleExperience>& learned) { keeper->submit(to_parts(learned)); };
-  }
+int run_one(const Prepared& prepared, const RunArguments& arguments, double pace) {
+  const lab::Job job = job_of(prepared, arguments, arguments.has_seed ? arguments.seed : prepared.experiment.seed);
+  lab::Hooks hooks;
+  hooks.run.pace = pace;
   ProgressLine line(!arguments.json);
   const double start_s = wall_s();
-  options.progress = [&](double share) {
+  hooks.run.progress = [&](double share) {
     line.show(share, say({"{:.0f}x real time", "{:.0f}x tiempo real"},
                          share * prepared.experiment.duration_s / (wall_s() - start_s)));
     return true;
   };
-  options.stop = interrupted;
+  hooks.run.stop = interrupted;
   std::unique_ptr<WatchedRun> watched;
   if (arguments.studio) {
-    auto opened = WatchedRun::open(arguments.experiment, prepared, options);
+    auto opened = WatchedRun::open(prepared, job, hooks);
     if (!opened) return complain(opened.error());
     watched = std::move(*opened);
   }
-  auto result = run(prepared, options);
-  if (!result) return complain(result.error());
-  if (watched) watched->conclude(*result);
-  const int written = keep(prepared, arguments, *result, keeper.get());
-  if (print(arguments, {*result}) != kDone) return kOutputFailed;
+  const auto outcome = lab::carry_out(prepared, job, keep_of(arguments, job.seed), hooks);
+  if (!outcome) return complain(outcome.error());
+  const int written = complain_of(*outcome);
+  if (print(arguments, {*outcome}) != kDone) return kOutputFailed;
   if (!arguments.json) {
-    for (const std::string& file : result->files) tell({"wrote {}", "escrito {}"}, file);
+    for (const std::string& file : outcome->files) tell({"wrote {}", "escrito {}"}, file);
   }
-  if (result->link_lost) {
-    complain(*result->link_lost);
+  if (const Error* lost = outcome->trouble(lab::Trouble::Of::Link)) {
+    complain(*lost);
     return kLinkLostCode;
   }
   if (watched) watched->serve_until_interrupted();
   if (written != kDone) return written;
-  return result->verdict == Verdict::Failed ? kRobotFailed : kDone;
+  return outcome->verdict == Verdict::Failed ? kRobotFailed : kDone;
 }
 
 int run_command(const RunArguments& arguments) {
@@ -281,14 +222,14 @@ int run_command(const RunArguments& arguments) {
   if (!problems.empty()) return complain(problems);
   const auto prepared = prepare(arguments.experiment, overrides, problems);
   if (!prepared) return complain(problems);
-  auto experience = load_experience(arguments.experience);
-  if (!experience) return complain(experience.error());
   catch_interrupts();
+  if (arguments.faults.empty() && !seeds) return run_one(*prepared, arguments, *pace);
+  auto experience = lab::read_experience(arguments.experience);
+  if (!experience) return complain(experience.error());
   if (!arguments.faults.empty()) {
     return run_faults(*prepared, arguments, seeds.value_or(SeedRange{1, kFaultSeeds}), std::move(*experience));
   }
-  if (seeds) return run_many(*prepared, arguments, *seeds, std::move(*experience));
-  return run_one(*prepared, arguments, *pace, std::move(*experience));
+  return run_many(*prepared, arguments, *seeds, std::move(*experience));
 }
 
 }  // namespace

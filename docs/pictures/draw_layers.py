@@ -50,7 +50,7 @@ FOLDERS = {  # role, English, Spanish
     "run": ("shown", "experiment to run", "de experimento a ejecución"),
     "plot": ("shown", "pictures", "imágenes"),
     "report": ("shown", "the page of a run", "la página de una ejecución"),
-    "lab": ("shown", "campaigns, tuning", "campañas, ajuste"),
+    "lab": ("shown", "jobs and outcomes", "encargos y resultados"),
     "firmware": ("shown", "export to C", "exportación a C"),
     "studio": ("shown", "server of the studio", "servidor del estudio"),
 }

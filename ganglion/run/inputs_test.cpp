@@ -64,7 +64,7 @@ TEST_F(Inputs, AreAttachedOnceUnderTheirNames) {
   std::vector<std::string> names;
   for (const mcap::Attachment& one : run.attachments) names.push_back(one.name);
   const std::vector<std::string> right = {"experience",       "input/controller.toml", "input/experiment.toml",
-                                          "input/robot.toml", "input/world.toml",      "inputs.json"};
+                                          "input/robot.toml", "input/rooms.toml",      "inputs.json"};
   std::sort(names.begin(), names.end());
   EXPECT_EQ(names, right);
   const Json list = Json::parse(run.attachment("inputs.json")->bytes);

@@ -5,7 +5,7 @@
 
 #include "ganglion/base/file.h"
 #include "ganglion/base/testing/folder.h"
-#include "ganglion/run/batch.h"
+#include "ganglion/run/run.h"
 
 // The same experiment and seed give the same bits, whatever else goes on in the process, and for as long as it goes on.
 namespace ganglion {
@@ -45,17 +45,6 @@ RunResult result_of(const Prepared& prepared, std::uint64_t seed) {
   return *result;
 }
 
-std::vector<std::string> digests(const Prepared& prepared, std::uint64_t last_seed, int threads) {
-  BatchOptions options;
-  options.first_seed = 1;
-  options.last_seed = last_seed;
-  options.threads = threads;
-  std::vector<std::string> list;
-  const auto batch = run_batch(prepared, options);
-  for (const RunResult& result : batch.value()) list.push_back(result.digest);
-  return list;
-}
-
 TEST(TheYard, IsCrossedWithAllSensorsOnAndRepeats) {
   const Prepared yard = prepared(kExperiments / "yard", {});
   const RunResult first = result_of(yard, 1), again = result_of(yard, 1), other = result_of(yard, 2);
@@ -65,19 +54,6 @@ TEST(TheYard, IsCrossedWithAllSensorsOnAndRepeats) {
   const RunResult weak = result_of(prepared(kExperiments / "yard", {set("application.robot.body.climb_deg", "6")}), 1);
   EXPECT_LT(measure(weak.measures, "progress_m"), 4.7);  // the ramp of 8 deg begins at 4.5 m; its foot, not its top
   EXPECT_GT(measure(weak.measures, "stalled_s"), 60);
-}
-
-TEST(SameBits, OnOneThreadAndOnTwo) {
-  const Prepared office = nimrod(20);
-  const auto one = digests(office, 6, 1);
-  EXPECT_EQ(one, digests(office, 6, 2));
-  EXPECT_NE(one[0], one[1]);
-}
-
-TEST(SameBits, ForAnHour) {
-  const Prepared office = nimrod(3600);
-  const auto together = digests(office, 2, 2);
-  EXPECT_EQ(together[1], result_of(office, 2).digest);
 }
 
 TEST(SameBits, AfterAResetAsInAFreshSimulation) {

@@ -78,7 +78,7 @@ class EmulatedRobot : public FolderTest {
     config.end.pace = pace;
     config.reach_s = kReach_s;
     auto line = std::make_unique<CutLine>(link::make_line(*link::parse_address(address_)), cut_, connections_);
-    auto made = link::RemoteApplication::connect(std::move(line), prepared_->robot->description, 1, config);
+    auto made = link::RemoteApplication::connect(std::move(line), prepared_->application->description(), 1, config);
     EXPECT_TRUE(made) << made.error().what.en << board_->last_words().en;
     return made ? std::move(*made) : nullptr;
   }

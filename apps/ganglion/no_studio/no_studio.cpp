@@ -20,7 +20,7 @@ void add_studio(CLI::App& program, int& code) {
   command->callback([&code] { code = complain(missing()); });
 }
 
-Result<std::unique_ptr<WatchedRun>> WatchedRun::open(const std::filesystem::path&, const Prepared&, RunOptions&) {
+Result<std::unique_ptr<WatchedRun>> WatchedRun::open(const Prepared&, const lab::Job&, lab::Hooks&) {
   return tl::unexpected<Error>(missing());
 }
 

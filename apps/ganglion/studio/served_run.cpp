@@ -25,13 +25,13 @@ class ServedRun final : public WatchedRun {
   ServedRun(std::unique_ptr<studio::Server> server, studio::Json state)
       : server_(std::move(server)), state_(std::move(state)) {}
 
-  /// Has `options` tell the server of the run.
-  void follow(RunOptions& options);
-  void conclude(const RunResult& result) override;
+  /// Has the hooks tell the server of the run.
+  void follow(lab::Hooks& hooks);
   void serve_until_interrupted() const override;
 
  private:
   void tell(std::string_view phase, double share);
+  void conclude(const RunResult& result);
 
   std::unique_ptr<studio::Server> server_;
   std::shared_ptr<studio::LiveFeed> feed_ = std::make_shared<studio::LiveFeed>();
@@ -39,7 +39,8 @@ class ServedRun final : public WatchedRun {
   double told_s_ = 0;
 };
 
-void ServedRun::follow(RunOptions& options) {
+void ServedRun::follow(lab::Hooks& hooks) {
+  RunOptions& options = hooks.run;
   options.watcher = feed_.get();
   options.armed = [this] {
     feed_->arm();
@@ -49,6 +50,9 @@ void ServedRun::follow(RunOptions& options) {
   options.progress = [this, before = options.progress](double share) {
     if (wall_s() - told_s_ > kTellEvery_s) tell("running", share);
     return !before || before(share);
+  };
+  hooks.ended = [this](const Result<RunResult>& result) {
+    if (result) conclude(*result);
   };
   server_->attach(feed_, state_);
   tell("preparing", 0);
@@ -69,7 +73,7 @@ void ServedRun::tell(std::string_view phase, double share) {
 
 void ServedRun::conclude(const RunResult& result) {
   while (!feed_->flush()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  state_["outcome"] = studio::outcome_json(result, "");
+  state_["outcome"] = studio::outcome_json(lab::outcome_of({}, result), "");
   tell("done", state_.value("share", 1.0));
 }
 
@@ -82,22 +86,22 @@ void ServedRun::serve_until_interrupted() const {
 
 }  // namespace
 
-Result<std::unique_ptr<WatchedRun>> WatchedRun::open(const fs::path& experiment, const Prepared& prepared,
-                                                     RunOptions& options) {
-  auto server = studio::Server::start({.folder = folder_of(experiment), .programs = studio::programs_file()});
+Result<std::unique_ptr<WatchedRun>> WatchedRun::open(const Prepared& prepared, const lab::Job& job, lab::Hooks& hooks) {
+  const fs::path folder = folder_of(job.experiment);
+  auto server = studio::Server::start({.folder = folder, .programs = studio::programs_file()});
   if (!server) return tl::unexpected<Error>(server.error());
   std::error_code error;
   const studio::Json state = {
       {"run", "1"},
       {"experiment", prepared.experiment.files.experiment.filename().string()},
-      {"controller", fs::relative(prepared.experiment.files.controller, folder_of(experiment), error).generic_string()},
+      {"controller", fs::relative(prepared.experiment.files.controller, folder, error).generic_string()},
       {"name", prepared.experiment.name},
-      {"seed", options.seed},
-      {"pace", options.pace},
+      {"seed", job.seed},
+      {"pace", hooks.run.pace},
       {"duration_s", prepared.experiment.duration_s},
       {"outcome", nullptr}};
   auto served = std::make_unique<ServedRun>(std::move(*server), state);
-  served->follow(options);
+  served->follow(hooks);
   return served;
 }
 

@@ -31,6 +31,7 @@ std::string plain(const std::string& name) {
 Result<RunPlan> plan_of(const Ask& ask, const Prepared& prepared, const Folder& folder) {
   RunPlan plan;
   plan.experiment = ask.text("experiment");
+  plan.language = ask.language;
   const Json controller = ask.body.value("controller", Json());
   plan.controller =
       controller.is_object() ? controller.value("path", "") : folder.name_of(prepared.experiment.files.controller);

@@ -29,7 +29,6 @@ Reply RunRoutes::start(const Ask& ask) {
   if (auto refused = wanted_.prepare_wanted(wanted, ask, prepared)) return *refused;
   auto plan = plan_of(ask, *prepared, folder_);
   if (!plan) return failure(plan.error(), ask.language);
-  plan->drawn = wanted.drawn;
   run_.begin(std::make_shared<const Prepared>(std::move(*prepared)), std::move(*plan));
   return run_.begun();
 }
@@ -62,9 +61,6 @@ Reply RunRoutes::reset(const Ask& ask) {
   auto plan = run_.end();
   if (!plan) return run_.answer(ask, false);
   renew_file(*plan, run_.number() + 1, folder_);
-  if (plan->drawn) {
-    if (const auto written = plan->drawn->write(); !written) return failure(written.error(), ask.language);
-  }
   run_.begin_again(std::move(*plan));
   return run_.begun();
 }

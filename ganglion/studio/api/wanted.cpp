@@ -68,10 +68,9 @@ Result<void> WantedReader::read_files(const Ask& ask, Wanted& wanted) const {
   const auto path = folder_.resolve(controller.is_object() ? controller.value("path", "") : "");
   if (!path) return tl::unexpected<Error>(path.error());
   wanted.instead.controller = *path;
-  if (!controller.contains("text") || !controller["text"].is_string()) return {};
-  wanted.drawn = std::make_shared<const DrawnFile>(*path, controller["text"].get<std::string>());
-  wanted.instead.controller = wanted.drawn->path();
-  return wanted.drawn->write();
+  if (controller.contains("text") && controller["text"].is_string())
+    wanted.drawn = controller["text"].get<std::string>();
+  return {};
 }
 
 std::optional<Reply> WantedReader::read_sets(const Ask& ask, Wanted& wanted) const {
@@ -142,6 +141,7 @@ std::optional<Reply> WantedReader::refuse_experiment(const Experiment& experimen
 std::optional<Reply> WantedReader::read_through(FolderFiles& files, const Wanted& wanted, const Ask& ask,
                                                 Experiment& experiment) const {
   Problems problems;
+  if (wanted.drawn) files.hold("controller", wanted.instead.controller, *wanted.drawn);
   experiment = read_experiment(files, wanted.experiment, wanted.overrides, problems, wanted.instead);
   return refuse_experiment(experiment, files, ask);
 }

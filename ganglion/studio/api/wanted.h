@@ -1,8 +1,8 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "ganglion/link/net/address.h"
@@ -11,7 +11,6 @@
 #include "ganglion/studio/api/ask.h"
 #include "ganglion/studio/api/programs.h"
 #include "ganglion/studio/folder/folder_files.h"
-#include "ganglion/studio/live/drawn_file.h"
 
 namespace ganglion::studio {
 
@@ -20,8 +19,8 @@ struct Wanted {
   std::filesystem::path experiment;
   ExperimentFiles instead;
   std::vector<config::Override> overrides;
-  LinkChoice link;                         ///< Where the page says that the robot is.
-  std::shared_ptr<const DrawnFile> drawn;  ///< Null: the controller is the saved one.
+  LinkChoice link;                   ///< Where the page says that the robot is.
+  std::optional<std::string> drawn;  ///< The controller's text where it runs without being saved.
 };
 
 /// Where the studio may look for a robot: tcp://HOST:PORT, serial+tcp://HOST:PORT, serial:///dev/tty... Fails with

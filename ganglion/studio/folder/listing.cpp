@@ -79,6 +79,7 @@ Json Listing::read(const fs::path& file, const std::string& name, std::string& l
   if (list != "experiments") return entry;
   Problems problems;
   FolderFiles files(folder_);
+  files.hold("experiment", file, *text);
   const Experiment experiment = read_experiment(files, file, {}, problems);
   const auto inside = [&](const fs::path& path) { return path.empty() ? std::string() : folder_.name_of(path); };
   entry["controller"] = inside(experiment.files.controller);

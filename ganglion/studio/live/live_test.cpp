@@ -36,7 +36,7 @@ void apply_sample(const std::string& sample, std::vector<std::uint8_t>& cells) {
 
 TEST(OutcomeJson, TellsOfSuccessOnlyWhereSomebodyJudged) {
   const auto success = [](ganglion::Verdict verdict) {
-    RunResult result;
+    lab::Outcome result;
     result.verdict = verdict;
     return outcome_json(result, "")["success"];
   };

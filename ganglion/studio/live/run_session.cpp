@@ -3,10 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ganglion/plot/from_run_file.h"
-#include "ganglion/record/run_file.h"
-#include "ganglion/report/report.h"
-
 namespace ganglion::studio {
 namespace {
 
@@ -20,15 +16,6 @@ Json numbers(const std::vector<std::pair<std::string, double>>& measures) {
   return json;
 }
 
-/// The report beside the run file. What cannot be drawn is said in the outcome; the run counts all the same.
-Result<void> write_report(const std::filesystem::path& run_file) {
-  const auto file = RunFile::read(run_file);
-  if (!file) return tl::unexpected<Error>(file.error());
-  std::filesystem::path page = run_file;
-  page.replace_extension(".html");
-  return report::write_report(plot::from_run_file(*file), page);
-}
-
 /// {"error": ..., "error_es": ...}
 void tell_error(Json& outcome, const Error& error) {
   outcome["error"] = error.text();
@@ -37,19 +24,18 @@ void tell_error(Json& outcome, const Error& error) {
 
 }  // namespace
 
-Json outcome_json(const RunResult& result, const std::string& file) {
-  Json outcome = {
-      {"success",
-       result.verdict == ganglion::Verdict::NotJudged ? Json() : Json(result.verdict == ganglion::Verdict::Succeeded)},
-      {"reason", result.reason.en},
-      {"reason_es", result.reason.es},
-      {"digest", result.digest},
-      {"interventions", result.interventions},
-      {"measures", numbers(result.measures)},
-      {"file", file},
-      {"error", nullptr}};
-  if (result.record_error) tell_error(outcome, *result.record_error);
-  return outcome;
+Json outcome_json(const lab::Outcome& outcome, const std::string& file) {
+  const bool judged = outcome.verdict != ganglion::Verdict::NotJudged;
+  Json json = {{"success", judged ? Json(outcome.verdict == ganglion::Verdict::Succeeded) : Json()},
+               {"reason", outcome.reason.en},
+               {"reason_es", outcome.reason.es},
+               {"digest", outcome.digest},
+               {"interventions", outcome.interventions},
+               {"measures", numbers(outcome.figures)},
+               {"file", file},
+               {"error", nullptr}};
+  if (const Error* error = outcome.trouble(lab::Trouble::Of::Files)) tell_error(json, *error);
+  return json;
 }
 
 RunSession::RunSession(std::string id, std::shared_ptr<const Prepared> prepared, RunPlan plan,
@@ -149,9 +135,8 @@ void RunSession::refuse_wishes() {
 }
 
 void RunSession::carry_out() {
-  RunOptions options;
-  options.seed = plan_.seed;
-  options.run_file = plan_.run_file;
+  lab::Hooks hooks;
+  RunOptions& options = hooks.run;
   options.watcher = feed_.get();
   options.progress = [this](double share) { return between_ticks(share); };
   options.stop = [this] {
@@ -161,7 +146,6 @@ void RunSession::carry_out() {
   options.reach = [this](Reach reach) { reach_ = std::move(reach); };
   options.armed = [this] {
     feed_->arm();
-    if (plan_.drawn) plan_.drawn->remove();
     std::unique_lock lock(mutex_);
     phase_ = "armed";
     reachable_ = true;
@@ -172,10 +156,16 @@ void RunSession::carry_out() {
     changed_();
     return begins;
   };
-  const auto result = run(*prepared_, options);
-  refuse_wishes();
-  while (!feed_->flush()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  conclude(result);
+  hooks.ended = [this](const Result<RunResult>&) {
+    refuse_wishes();
+    while (!feed_->flush()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  };
+  const lab::Job job{
+      .experiment = plan_.experiment, .overrides = prepared_->experiment.overrides, .seed = plan_.seed, .faults = {}};
+  lab::Keep keep;
+  keep.run_file = plan_.run_file;
+  keep.language = plan_.language;
+  conclude(lab::carry_out(*prepared_, job, keep, hooks));
 }
 
 /// Holds the run back while it is paused or ahead of its pace. False: it shall end.
@@ -216,17 +206,14 @@ bool RunSession::between_ticks(double share) {
   return wait(lock);
 }
 
-void RunSession::conclude(const Result<RunResult>& result) {
+void RunSession::conclude(const Result<lab::Outcome>& concluded) {
   Json outcome;
-  if (plan_.drawn) plan_.drawn->remove();
-  if (result) {
-    outcome = outcome_json(*result, plan_.run_file.empty() ? "" : plan_.run_name);
-    if (!plan_.run_file.empty() && !result->record_error) {
-      if (const auto written = write_report(plan_.run_file); !written) tell_error(outcome, written.error());
-    }
+  if (concluded) {
+    outcome = outcome_json(*concluded, plan_.run_file.empty() ? "" : plan_.run_name);
   } else {
-    outcome = {{"success", false}, {"reason", result.error().what.en}, {"reason_es", result.error().what.es}};
-    tell_error(outcome, result.error());
+    const Error& error = concluded.error();
+    outcome = {{"success", false}, {"reason", error.what.en}, {"reason_es", error.what.es}};
+    tell_error(outcome, error);
   }
   {
     const std::lock_guard lock(mutex_);

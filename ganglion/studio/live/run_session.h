@@ -10,8 +10,7 @@
 #include <string>
 #include <thread>
 
-#include "ganglion/run/run.h"
-#include "ganglion/studio/live/drawn_file.h"
+#include "ganglion/lab/carry_out.h"
 #include "ganglion/studio/live/feed.h"
 
 namespace ganglion::studio {
@@ -23,11 +22,11 @@ struct RunPlan {
   std::string experiment;  ///< Path, from the folder on.
   std::string controller;
   std::uint64_t seed = 1;
-  double pace = 1;                         ///< Times real time; 0 = as fast as can be.
-  bool paused = false;                     ///< Waits before the first tick.
-  std::filesystem::path run_file;          ///< Empty: not recorded.
-  std::string run_name;                    ///< The same from the folder on.
-  std::shared_ptr<const DrawnFile> drawn;  ///< Removed when the run has taken its files in. Null: none.
+  double pace = 1;                        ///< Times real time; 0 = as fast as can be.
+  bool paused = false;                    ///< Waits before the first tick.
+  std::filesystem::path run_file;         ///< Empty: not recorded.
+  std::string run_name;                   ///< The same from the folder on.
+  Language language = Language::English;  ///< Of the report.
 };
 
 /// One run on a thread of its own, which can be paused, stepped and stopped between ticks. Commands may come from any
@@ -67,7 +66,7 @@ class RunSession {
   void carry_out();
   bool between_ticks(double share);
   bool wait(std::unique_lock<std::mutex>& lock);
-  void conclude(const Result<RunResult>& result);
+  void conclude(const Result<lab::Outcome>& outcome);
   template <class Change>
   bool change(Change&& what);
   /// An intervention that somebody waits for.
@@ -105,6 +104,6 @@ class RunSession {
 };
 
 /// The outcome as the page is told.
-Json outcome_json(const RunResult& result, const std::string& file);
+Json outcome_json(const lab::Outcome& outcome, const std::string& file);
 
 }  // namespace ganglion::studio

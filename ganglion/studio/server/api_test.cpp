@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "ganglion/base/file.h"
+#include "ganglion/record/run_file.h"
 #include "ganglion/run/run.h"
 #include "ganglion/studio/server/testing/bench.h"
 #include "ganglion/studio/server/testing/child_server.h"
@@ -251,20 +252,22 @@ TEST_F(Studio, RunsWhatIsDrawnWithoutSavingIt) {
   ASSERT_EQ(client.post("/api/run/start", body).status, 200u);
   const Json first = final_state(watcher)["outcome"];
   EXPECT_EQ(read_file(folder() / "controller.toml").value(), saved);
-  const auto left = folder() / ".controller.toml.running";
-  EXPECT_FALSE(std::filesystem::exists(left));
   const Answer again = client.post("/api/run/reset", {});
   ASSERT_EQ(again.status, 200u) << "the same drawing again";
   Json state;
   while ((state = final_state(watcher)).is_object() && state["run"] != again.json()["run"]) {
   }
   EXPECT_EQ(state["outcome"]["digest"], first["digest"]);
-  EXPECT_FALSE(std::filesystem::exists(left));
   body["record"] = true;
   const Answer third = client.post("/api/run/start", body);
   while ((state = final_state(watcher)).is_object() && state["run"] != third.json()["run"]) {
   }
-  EXPECT_TRUE(state["outcome"]["error"].is_null()) << state.dump() << "the run before took its own file only";
+  EXPECT_TRUE(state["outcome"]["error"].is_null()) << state.dump();
+  const RunFile run = RunFile::read(folder() / state["outcome"]["file"].get<std::string>()).value();
+  ASSERT_NE(run.attachment("input/controller.toml"), nullptr);
+  EXPECT_EQ(run.attachment("input/controller.toml")->bytes, text) << "what was drawn, not what is saved";
+  for (const auto& entry : std::filesystem::directory_iterator(folder()))
+    EXPECT_FALSE(entry.path().filename().string().starts_with('.')) << entry.path();
 }
 
 TEST_F(Studio, GoesOnForAViewerWhoComesBack) {

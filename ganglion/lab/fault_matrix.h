@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "ganglion/run/batch.h"
+#include "ganglion/lab/batch.h"
 
-namespace ganglion {
+namespace ganglion::lab {
 
 /// Faults that befall a robot together.
 struct FaultCase {
@@ -32,8 +32,9 @@ struct FaultRow {
   std::vector<Quartiles> quartiles;
 };
 
-/// Runs the batch once for each case, on top of the experiment's own faults. Nothing is recorded. Ends early, with the
-/// cases so far, when options.progress says stop. Fails as fault_cases() does.
-Result<std::vector<FaultRow>> run_fault_matrix(const Prepared& prepared, const BatchOptions& options, bool pairs);
+/// Carries out the jobs once for each case, its faults on top of the experiment's own and of theirs. Ends early, with
+/// the cases so far, when options.progress says stop. Fails as fault_cases() and carry_out_all() do.
+Result<std::vector<FaultRow>> run_fault_matrix(const Prepared& prepared, std::span<const Job> jobs,
+                                               const BatchOptions& options, bool pairs);
 
-}  // namespace ganglion
+}  // namespace ganglion::lab

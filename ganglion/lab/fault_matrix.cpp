@@ -1,10 +1,10 @@
-#include "ganglion/run/fault_matrix.h"
+#include "ganglion/lab/fault_matrix.h"
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
-namespace ganglion {
+namespace ganglion::lab {
 namespace {
 
 constexpr double kLate_s = 0.5, kAllLate_s = 0.2, kLostShare = 0.2, kLostPower = 0.5;
@@ -89,15 +89,15 @@ std::vector<Fault> single_faults(const Prepared& prepared) {
 /// The same signals, or a device and its own channel: one fault would hide the other.
 bool overlap(const std::string& a, const std::string& b) { return a == b || device_of(a) == b || a == device_of(b); }
 
-FaultRow row_of(const FaultCase& one, const Experiment& experiment, const std::vector<RunResult>& results) {
+FaultRow row_of(const FaultCase& one, const Experiment& experiment, const std::vector<Outcome>& outcomes) {
   FaultRow row{
       .name = one.name,
-      .runs = results.size(),
-      .succeeded = static_cast<std::size_t>(std::ranges::count(results, Verdict::Succeeded, &RunResult::verdict)),
+      .runs = outcomes.size(),
+      .succeeded = static_cast<std::size_t>(std::ranges::count(outcomes, Verdict::Succeeded, &Outcome::verdict)),
       .met = {},
-      .quartiles = quartiles(results)};
+      .quartiles = quartiles(outcomes)};
   for (const Criterion& criterion : experiment.success) {
-    const auto met = std::ranges::count_if(results, [&](const RunResult& run) { return criterion.met(run.measures); });
+    const auto met = std::ranges::count_if(outcomes, [&](const Outcome& run) { return criterion.met(run.figures); });
     row.met.emplace_back(criterion.text(), static_cast<std::size_t>(met));
   }
   return row;
@@ -133,28 +133,27 @@ Result<std::vector<FaultCase>> fault_cases(const Prepared& prepared, bool pairs)
   return cases;
 }
 
-Result<std::vector<FaultRow>> run_fault_matrix(const Prepared& prepared, const BatchOptions& options, bool pairs) {
+Result<std::vector<FaultRow>> run_fault_matrix(const Prepared& prepared, std::span<const Job> jobs,
+                                               const BatchOptions& options, bool pairs) {
   const auto made = fault_cases(prepared, pairs);
   if (!made) return tl::unexpected<Error>(made.error());
   const std::vector<FaultCase>& cases = *made;
   std::vector<FaultRow> rows;
-  const std::size_t each = options.last_seed - options.first_seed + 1;
   bool stopped = false;
   for (const FaultCase& one : cases) {
-    Prepared faulty = prepared;
-    faulty.experiment.faults.insert(faulty.experiment.faults.end(), one.faults.begin(), one.faults.end());
+    std::vector<Job> faulty(jobs.begin(), jobs.end());
+    for (Job& job : faulty) job.faults.insert(job.faults.end(), one.faults.begin(), one.faults.end());
     BatchOptions batch = options;
-    batch.run_file = nullptr;
     batch.progress = [&](std::size_t done, std::size_t) {
-      stopped = options.progress && !options.progress(rows.size() * each + done, cases.size() * each);
+      stopped = options.progress && !options.progress(rows.size() * jobs.size() + done, cases.size() * jobs.size());
       return !stopped;
     };
-    const auto results = run_batch(faulty, batch);
-    if (!results) return tl::unexpected<Error>(results.error());
+    const auto outcomes = carry_out_all(prepared, faulty, batch);
+    if (!outcomes) return tl::unexpected<Error>(outcomes.error());
     if (stopped) break;
-    rows.push_back(row_of(one, prepared.experiment, *results));
+    rows.push_back(row_of(one, prepared.experiment, *outcomes));
   }
   return rows;
 }
 
-}  // namespace ganglion
+}  // namespace ganglion::lab

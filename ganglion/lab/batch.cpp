@@ -1,4 +1,4 @@
-#include "ganglion/run/batch.h"
+#include "ganglion/lab/batch.h"
 
 #include <algorithm>
 #include <atomic>
@@ -8,14 +8,15 @@
 
 #include "ganglion/math/quantile.h"
 
-namespace ganglion {
+namespace ganglion::lab {
 namespace {
 
 /// What the threads of a batch share.
 struct Work {
   const Prepared& prepared;
+  std::span<const Job> jobs;
   const BatchOptions& options;
-  std::vector<std::optional<RunResult>> results{};
+  std::vector<std::optional<Outcome>> outcomes{};
   std::atomic<std::size_t> next{0};
   std::atomic<bool> stop{false};
   std::atomic<bool> out_of_memory{false};
@@ -24,35 +25,34 @@ struct Work {
   std::optional<Error> error{};
 };
 
-void work_through_seeds(Work& work) {
+void work_through_jobs(Work& work) {
   while (!work.stop) {
     const std::size_t index = work.next++;
-    if (index >= work.results.size()) return;
-    RunOptions options;
-    options.seed = work.options.first_seed + index;
-    options.experience = work.options.experience;
-    if (work.options.run_file) options.run_file = work.options.run_file(options.seed);
-    options.stop = [&work] {
+    if (index >= work.jobs.size()) return;
+    const Job& job = work.jobs[index];
+    Hooks hooks;
+    hooks.run.experience = work.options.experience;
+    hooks.run.stop = [&work] {
       if (work.options.stop && work.options.stop()) work.stop = true;
       return work.stop.load();
     };
-    auto result = run(work.prepared, options);
+    auto outcome = carry_out(work.prepared, job, work.options.keep ? work.options.keep(job) : Keep{}, hooks);
     const std::scoped_lock lock(work.mutex);
     ++work.done;
-    if (result) {
-      work.results[index] = std::move(*result);
+    if (outcome) {
+      work.outcomes[index] = std::move(*outcome);
     } else if (!work.error) {
-      work.error = result.error();
+      work.error = outcome.error();
       work.stop = true;
     }
-    if (work.options.progress && !work.options.progress(work.done, work.results.size())) work.stop = true;
+    if (work.options.progress && !work.options.progress(work.done, work.jobs.size())) work.stop = true;
   }
 }
 
 /// The same; want of memory is kept for the thread that asked for the batch.
 void work_through(Work& work) noexcept {
   try {
-    work_through_seeds(work);
+    work_through_jobs(work);
   } catch (const std::bad_alloc&) {
     work.out_of_memory = work.stop = true;
   }
@@ -60,10 +60,17 @@ void work_through(Work& work) noexcept {
 
 }  // namespace
 
-Result<std::vector<RunResult>> run_batch(const Prepared& prepared, const BatchOptions& options) {
-  expects(options.last_seed >= options.first_seed);
-  Work work{prepared, options};
-  work.results.resize(options.last_seed - options.first_seed + 1);
+std::vector<Job> each_seed(Job first, std::uint64_t last_seed) {
+  expects(last_seed >= first.seed);
+  std::vector<Job> jobs(last_seed - first.seed + 1, first);
+  for (std::size_t i = 0; i < jobs.size(); ++i) jobs[i].seed = first.seed + i;
+  return jobs;
+}
+
+Result<std::vector<Outcome>> carry_out_all(const Prepared& prepared, std::span<const Job> jobs,
+                                           const BatchOptions& options) {
+  Work work{prepared, jobs, options};
+  work.outcomes.resize(jobs.size());
   const bool one_robot = !prepared.experiment.link.address.empty();  // only one run at a time can command it
   const unsigned threads = one_robot             ? 1u
                            : options.threads > 0 ? static_cast<unsigned>(options.threads)
@@ -74,22 +81,22 @@ Result<std::vector<RunResult>> run_batch(const Prepared& prepared, const BatchOp
   }
   if (work.out_of_memory) throw std::bad_alloc();
   if (work.error) return tl::unexpected<Error>(*work.error);
-  std::vector<RunResult> results;
-  for (auto& result : work.results) {
-    if (result) results.push_back(std::move(*result));
+  std::vector<Outcome> outcomes;
+  for (auto& outcome : work.outcomes) {
+    if (outcome) outcomes.push_back(std::move(*outcome));
   }
-  return results;
+  return outcomes;
 }
 
-std::vector<Quartiles> quartiles(const std::vector<RunResult>& results) {
+std::vector<Quartiles> quartiles(const std::vector<Outcome>& outcomes) {
   std::vector<Quartiles> summary;
-  if (results.empty()) return summary;
-  for (const auto& [name, first] : results.front().measures) {
+  if (outcomes.empty()) return summary;
+  for (const auto& [name, first] : outcomes.front().figures) {
     std::vector<double> values;
-    for (const RunResult& result : results) values.push_back(measure(result.measures, name));
+    for (const Outcome& outcome : outcomes) values.push_back(measure(outcome.figures, name));
     summary.push_back({name, math::quantile(values, 0.25), math::quantile(values, 0.5), math::quantile(values, 0.75)});
   }
   return summary;
 }
 
-}  // namespace ganglion
+}  // namespace ganglion::lab

@@ -1,4 +1,4 @@
-#include "ganglion/run/fault_matrix.h"
+#include "ganglion/lab/fault_matrix.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <fstream>
 
-namespace ganglion {
+namespace ganglion::lab {
 namespace {
 
 namespace fs = std::filesystem;
@@ -88,7 +88,7 @@ TEST(FaultCases, OfVeryManySensorsAreRefused) {
   }
   prepared.application = std::make_shared<const Described>(std::move(description));
   EXPECT_TRUE(fault_cases(prepared, false));
-  const auto pairs = run_fault_matrix(prepared, {}, true);
+  const auto pairs = run_fault_matrix(prepared, {}, {}, true);
   ASSERT_FALSE(pairs);
   EXPECT_EQ(pairs.error().code, ErrorCode::TooLarge);
   EXPECT_NE(pairs.error().what.en.find("more than 20000 cases in pairs: try them one by one (--faults matrix)"),
@@ -99,9 +99,7 @@ TEST(FaultCases, OfVeryManySensorsAreRefused) {
 TEST(FaultMatrix, CountsWhatEachCriterionOfSuccessSays) {
   Prepared prepared = nimrod(1);
   prepared.experiment.success = {*parse_criterion("duration_s >= 1"), *parse_criterion("travelled_m > 100")};
-  BatchOptions options;
-  options.last_seed = 2;
-  const auto rows = run_fault_matrix(prepared, options, false);
+  const auto rows = run_fault_matrix(prepared, each_seed({}, 2), {}, false);
   ASSERT_TRUE(rows) << rows.error().text();
   ASSERT_EQ(rows->size(), 23u);
   EXPECT_EQ((*rows)[1].name, "sonar_left dead");
@@ -207,4 +205,4 @@ TEST(FaultFile, IsReadAndItsSlipsAreLocated) {
 }
 
 }  // namespace
-}  // namespace ganglion
+}  // namespace ganglion::lab
