@@ -176,6 +176,7 @@ int run_one(const Prepared& prepared, const RunArguments& arguments, double pace
   const lab::Job job = job_of(prepared, arguments, arguments.has_seed ? arguments.seed : prepared.experiment.seed);
   lab::Hooks hooks;
   hooks.run.pace = pace;
+  hooks.note = note;
   ProgressLine line(!arguments.json);
   const double start_s = wall_s();
   hooks.run.progress = [&](double share) {
@@ -224,12 +225,13 @@ int run_command(const RunArguments& arguments) {
   if (!prepared) return complain(problems);
   catch_interrupts();
   if (arguments.faults.empty() && !seeds) return run_one(*prepared, arguments, *pace);
-  auto experience = lab::read_experience(arguments.experience);
+  auto experience = lab::read_experience(arguments.experience, prepared->controller);
   if (!experience) return complain(experience.error());
+  for (const Sentence& one : experience->notes) note(one);
   if (!arguments.faults.empty()) {
-    return run_faults(*prepared, arguments, seeds.value_or(SeedRange{1, kFaultSeeds}), std::move(*experience));
+    return run_faults(*prepared, arguments, seeds.value_or(SeedRange{1, kFaultSeeds}), std::move(experience->remembered));
   }
-  return run_many(*prepared, arguments, *seeds, std::move(*experience));
+  return run_many(*prepared, arguments, *seeds, std::move(experience->remembered));
 }
 
 }  // namespace

@@ -101,7 +101,9 @@ struct Descriptor {
   std::span<const PortDescriptor> ports{};
   std::span<const ParameterDescriptor> parameters{};
   std::span<const ReasonDescriptor> reasons{};  ///< Of Withdrawals, besides the common ones.
-  std::string_view source = "";                 ///< Paper and section, or "ours".
+  /// Names of the parameters without whose values what it has learned means nothing: "cell_m" of a map of cells.
+  std::span<const std::string_view> rests_on{};
+  std::string_view source = "";  ///< Paper and section, or "ours".
 
   const PortDescriptor* port(std::string_view port_name) const noexcept;
   const ParameterDescriptor* parameter(std::string_view parameter_name) const noexcept;

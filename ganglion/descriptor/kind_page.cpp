@@ -84,6 +84,10 @@ class Page {
     print_ports(true, {"Inputs", "Entradas"});
     print_ports(false, {"Outputs", "Salidas"});
     print_parameters();
+    if (!kind_.rests_on.empty()) {
+      out_ += fmt::format("\n{}: {}\n", word({"What it learns rests on", "Lo que aprende se apoya en"}),
+                          code_list(kind_.rests_on));
+    }
     if (!kind_.source.empty()) out_ += fmt::format("\n{}: {}\n", word({"Source", "Fuente"}), kind_.source);
     return std::move(out_);
   }

@@ -48,6 +48,31 @@ TEST(Parameter, TakesItsDefaultAndTypeFromTheMember) {
   EXPECT_EQ(parameters.real("gain"), 0.25);
 }
 
+TEST(Parameter, SaysItsValueAsText) {
+  const Parameters parameters(kParameters);
+  EXPECT_EQ(parameters.text("reach_m"), "0.2");
+  EXPECT_EQ(parameters.text("tries"), "3");
+  EXPECT_EQ(parameters.text("loud"), "true");
+  EXPECT_EQ(parameters.text("side"), "right");
+  EXPECT_EQ(parameters.text("word"), "a");
+  EXPECT_EQ(parameters.text("cells"), "[1, 2]");
+}
+
+struct RulesConfig {
+  FileText rules{"builtin:rules", "one", ""};
+};
+constexpr std::array kRules = {
+    parameter<RulesConfig, &RulesConfig::rules>({.name = "rules", .title = kAny, .help = kAny})};
+
+TEST(Parameter, SaysOfAFileWhatItHoldsNotItsName) {
+  Parameters one(kRules), same(kRules), other(kRules);
+  same.set_file("rules", {"elsewhere.txt", "one", ""});
+  other.set_file("rules", {"builtin:rules", "two", ""});
+  EXPECT_EQ(one.text("rules").size(), 16u);
+  EXPECT_EQ(one.text("rules"), same.text("rules"));
+  EXPECT_NE(one.text("rules"), other.text("rules"));
+}
+
 TEST(Parameter, PutsWhatWasGivenIntoTheConfigAndNothingElse) {
   Parameters parameters(kParameters);
   EXPECT_EQ(parameters.filled<Config>().slack.rad(), Angle::from_deg(7).rad()) << "to the bit: it was not given";

@@ -1,6 +1,26 @@
 #include "ganglion/descriptor/parameters.h"
 
+#include <fmt/ranges.h>
+
+#include "ganglion/base/hash.h"
+#include "ganglion/base/text.h"
+
 namespace ganglion {
+namespace {
+
+/// What is no number: a word, numbers, a file.
+template <class Held>
+std::string text_of(const Held& held) {
+  if constexpr (std::is_same_v<Held, FileText>) {
+    return fmt::format("{:016x}", hash_name(held.text));
+  } else if constexpr (std::is_same_v<Held, std::string>) {
+    return held;
+  } else {
+    return fmt::format("{}", held);
+  }
+}
+
+}  // namespace
 
 Parameters::Parameters(std::span<const ParameterDescriptor> descriptors) : descriptors_(descriptors) {
   for (const ParameterDescriptor& descriptor : descriptors) values_.push_back({descriptor.preset(), false});
@@ -45,6 +65,16 @@ std::span<const double> Parameters::reals(std::string_view name) const {
 }
 const FileText& Parameters::file(std::string_view name) const {
   return std::get<FileText>(at(name, ParameterType::File));
+}
+
+std::string Parameters::text(std::string_view name) const {
+  const ParameterDescriptor& descriptor = descriptors_[index_of(name)];
+  const ParameterValue& held = value(name);
+  const auto* number = std::get_if<double>(&held);
+  if (number == nullptr) return std::visit([](const auto& other) { return text_of(other); }, held);
+  if (descriptor.type == ParameterType::Boolean) return *number != 0 ? "true" : "false";
+  if (descriptor.type == ParameterType::Choice) return std::string(choice(name));
+  return shortest(*number);
 }
 
 void Parameters::set_value(std::string_view name, ParameterValue value) {

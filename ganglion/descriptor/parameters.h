@@ -26,6 +26,8 @@ class Parameters {
   std::span<const double> reals(std::string_view name) const;
   const FileText& file(std::string_view name) const;
   const ParameterValue& value(std::string_view name) const;
+  /// The value as text: "0.5", "true", the chosen word, "[1, 2]"; of a file's content a hash.
+  std::string text(std::string_view name) const;
 
   /// Whether it was set: for kinds whose defaults hang together, a device's by its name.
   bool given(std::string_view name) const;

@@ -10,7 +10,7 @@
 #include "ganglion/base/file.h"
 #include "ganglion/base/testing/folder.h"
 #include "ganglion/experience/store.h"
-#include "ganglion/experience/writer.h"
+#include "ganglion/experience/stored_hash.h"
 
 namespace ganglion {
 namespace {
@@ -18,6 +18,19 @@ namespace {
 StoredPart part(std::string component, std::string name, std::string_view text, std::string kind = "DynamicMapRouter") {
   const auto bytes = std::as_bytes(std::span(text));
   return {std::move(component), std::move(kind), 1, std::move(name), {bytes.begin(), bytes.end()}};
+}
+
+/// All that each of these components has.
+std::vector<ComponentUpdate> updates(const std::vector<StoredPart>& parts) {
+  std::vector<ComponentUpdate> result;
+  for (const StoredPart& one : parts) {
+    if (result.empty() || result.back().component != one.component) {
+      result.push_back({one.component, one.kind, one.version, {}, {}, {}});
+    }
+    result.back().present.push_back(one.name);
+    result.back().changed.push_back({one.name, one.bytes});
+  }
+  return result;
 }
 
 class Experience : public FolderTest {
@@ -42,15 +55,15 @@ class Experience : public FolderTest {
 TEST_F(Experience, IsThereAgainAfterReopening) {
   const std::vector<StoredPart> parts = {part("positioner", "levels", "a"), part("router", "tile 0", ""),
                                          part("router", "tile 1", std::string_view("\0\xff", 2))};
-  EXPECT_EQ(*open().commit(parts), 3u);
+  EXPECT_EQ(open().commit(updates(parts))->changes, 3u);
   EXPECT_EQ(*open().load_all(), parts);
 }
 
 TEST_F(Experience, WritesOnlyPartsThatChanged) {
-  EXPECT_EQ(*open(1000).commit(std::vector{part("router", "a", "1"), part("router", "b", "2")}), 2u);
-  EXPECT_EQ(*open(2000).commit(std::vector{part("router", "a", "1"), part("router", "b", "2")}), 0u);
+  EXPECT_EQ(open(1000).commit(updates({part("router", "a", "1"), part("router", "b", "2")}))->changes, 2u);
+  EXPECT_EQ(open(2000).commit(updates({part("router", "a", "1"), part("router", "b", "2")}))->changes, 0u);
   EXPECT_EQ((*open().list())[0].saved_s, 1000);
-  EXPECT_EQ(*open(3000).commit(std::vector{part("router", "a", "1"), part("router", "b", "three")}), 1u);
+  EXPECT_EQ(open(3000).commit(updates({part("router", "a", "1"), part("router", "b", "three")}))->changes, 1u);
   const auto list = *open().list();
   ASSERT_EQ(list.size(), 1u);
   EXPECT_EQ(list[0].component, "router");
@@ -62,23 +75,103 @@ TEST_F(Experience, WritesOnlyPartsThatChanged) {
 
 TEST_F(Experience, OfAnotherKindUnderTheSameIdIsDropped) {
   auto store = open();
-  ASSERT_TRUE(store.commit(std::vector{part("router", "a", "1"), part("router", "b", "2"), part("other", "a", "3")}));
-  ASSERT_TRUE(store.commit(std::vector{part("router", "a", "1", "CausalInference")}));
+  ASSERT_TRUE(store.commit(updates({part("router", "a", "1"), part("router", "b", "2"), part("other", "a", "3")})));
+  ASSERT_TRUE(store.commit(updates({part("router", "a", "1", "CausalInference")})));
   EXPECT_EQ(*store.load_all(), (std::vector{part("other", "a", "3"), part("router", "a", "1", "CausalInference")}));
 }
 
 TEST_F(Experience, IsForgottenByComponent) {
   auto store = open();
-  ASSERT_TRUE(store.commit(std::vector{part("router", "a", "1"), part("router", "b", "2"), part("other", "a", "3")}));
+  ASSERT_TRUE(store.commit(updates({part("router", "a", "1"), part("router", "b", "2"), part("other", "a", "3")})));
   EXPECT_EQ(*store.forget("router"), 2u);
-  EXPECT_EQ(*store.forget("router"), 0u);
+  const auto again = store.forget("ohter");
+  ASSERT_FALSE(again);
+  EXPECT_EQ(again.error().code, ErrorCode::NotFound);
+  EXPECT_EQ(again.error().what.en, "holds nothing of \"ohter\"; did you mean \"other\"?");
   EXPECT_EQ(*store.load_all(), std::vector{part("other", "a", "3")});
+}
+
+TEST_F(Experience, GoesToAComponentOfAnotherName) {
+  auto store = open();
+  auto learned = updates({part("router", "a", "1"), part("router", "b", "2"), part("other", "a", "3")});
+  learned[0].rests_on = {{"cell_m", "0.5"}};
+  ASSERT_TRUE(store.commit(learned));
+  EXPECT_EQ(*store.rename("router", "planner"), 2u);
+  EXPECT_EQ(*store.load_all(),
+            (std::vector{part("other", "a", "3"), part("planner", "a", "1"), part("planner", "b", "2")}));
+  EXPECT_EQ(store.load_rests_on()->at("planner"), (std::vector<RestsOn>{{"cell_m", "0.5"}}));
+  const auto missing = store.rename("plannr", "x");
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().what.es, "no contiene nada de \"plannr\"; ¿quiso decir \"planner\"?");
+  EXPECT_EQ(missing.error().subject.choices, (std::vector<std::string>{"other", "planner"}));
+  const auto taken = store.rename("planner", "other");
+  ASSERT_FALSE(taken);
+  EXPECT_EQ(taken.error().what.en, "holds something of \"other\" already; forget it first, or choose another name");
+  EXPECT_EQ(store.load_all()->size(), 3u);
+}
+
+TEST_F(Experience, DropsPartsThatAreGone) {
+  auto store = open();
+  ASSERT_TRUE(store.commit(updates({part("other", "a", "3"), part("router", "a", "1"), part("router", "b", "2")})));
+  ComponentUpdate update{"router", "DynamicMapRouter", 1, {}, {"b"}, {}};
+  EXPECT_EQ(store.commit(std::span(&update, 1))->changes, 1u);
+  EXPECT_EQ(*store.load_all(), (std::vector{part("other", "a", "3"), part("router", "b", "2")}));
+}
+
+TEST_F(Experience, SaysOnWhatItRests) {
+  auto store = open();
+  ComponentUpdate update{"router", "DynamicMapRouter", 1, {{"cell_m", "0.5"}, {"a", "1"}}, {"x"}, {{"x", {}}}};
+  EXPECT_EQ(store.commit(std::span(&update, 1))->changes, 2u);
+  EXPECT_EQ(store.load_rests_on()->at("router"), (std::vector<RestsOn>{{"a", "1"}, {"cell_m", "0.5"}}));
+  EXPECT_EQ(store.commit(std::span(&update, 1))->changes, 0u);
+  update.rests_on = {{"cell_m", "0.25"}};
+  EXPECT_EQ(store.commit(std::span(&update, 1))->changes, 1u);
+  EXPECT_EQ(store.load_rests_on()->at("router"), (std::vector<RestsOn>{{"cell_m", "0.25"}}));
+  update.present.clear();
+  update.changed.clear();
+  EXPECT_EQ(store.commit(std::span(&update, 1))->changes, 2u);
+  EXPECT_TRUE(store.load_rests_on()->empty());
+}
+
+TEST_F(Experience, OfAnOlderProgramIsTakenAndRestsOnNothingKnown) {
+  std::filesystem::create_directories(path().parent_path());
+  execute_raw(
+      "CREATE TABLE part(component TEXT NOT NULL, name TEXT NOT NULL, kind TEXT NOT NULL, version INTEGER NOT NULL, "
+      "hash INTEGER NOT NULL, bytes BLOB NOT NULL, saved_s INTEGER NOT NULL, PRIMARY KEY (component, name));"
+      "PRAGMA application_id = 0x47414e45; PRAGMA user_version = 1");
+  execute_raw(fmt::format("INSERT INTO part VALUES ('router', 'a', 'DynamicMapRouter', 1, {}, x'', 7)", stored_hash({}))
+                  .c_str());
+  auto store = open();
+  EXPECT_EQ(store.load_all()->size(), 1u);
+  EXPECT_TRUE(store.load_rests_on()->empty());
+  EXPECT_EQ(store.commit(updates({part("router", "a", "new")}))->changes, 1u);
+}
+
+TEST_F(Experience, ThatHoldsNonsenseBesidesIsRefusedAndLeftAsItIs) {
+  ASSERT_TRUE(open().commit(updates({part("router", "a", "1")})));
+  for (const char* nonsense :
+       {"DELETE FROM state", "INSERT INTO state VALUES (0, '', 0, '', 0)", "UPDATE state SET generation = -1",
+        "UPDATE state SET generation = 9223372036854775807"}) {
+    const std::string good = *read_file(path());
+    execute_raw(nonsense);
+    execute_raw("PRAGMA wal_checkpoint(TRUNCATE)");
+    const std::string bad = *read_file(path());
+    const auto refused = ExperienceStore::open(path());
+    ASSERT_FALSE(refused) << nonsense;
+    EXPECT_EQ(refused.error().code, ErrorCode::Corrupt);
+    EXPECT_EQ(*read_file(path()), bad);
+    ASSERT_TRUE(write_file(path(), good));
+  }
+  execute_raw("INSERT INTO rests_on VALUES ('router', 'cell_m', hex(zeroblob(600000)))");
+  const auto refused = open().load_rests_on();
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::TooLarge);
 }
 
 TEST_F(Experience, HasAHashThatDoesNotDependOnTheOrder) {
   std::vector<StoredPart> parts = {part("a", "x", "1"), part("a", "y", "2"), part("b", "x", "3")};
   const auto hash = snapshot_hash(parts);
-  ASSERT_TRUE(open().commit(parts));
+  ASSERT_TRUE(open().commit(updates(parts)));
   EXPECT_EQ(*open().snapshot_hash(), hash);
   std::reverse(parts.begin(), parts.end());
   EXPECT_EQ(snapshot_hash(parts), hash);
@@ -108,7 +201,7 @@ TEST_F(Experience, SeesEveryDamageInAnExport) {
 }
 
 TEST_F(Experience, OverItsLimitIsNotLoaded) {
-  EXPECT_EQ(*open().commit(std::vector{part("router", "a", "12345"), part("router", "b", "123456")}), 2u);
+  EXPECT_EQ(open().commit(updates({part("router", "a", "12345"), part("router", "b", "123456")}))->changes, 2u);
   EXPECT_TRUE(ExperienceStore::open(path(), 11)->load_all());
   const auto refused = ExperienceStore::open(path(), 10)->load_all();
   ASSERT_FALSE(refused);
@@ -131,7 +224,7 @@ TEST_F(Experience, ExportedOverTheLimitIsNotRead) {
 }
 
 TEST_F(Experience, OfANewerProgramIsRefusedInWords) {
-  ASSERT_TRUE(open().commit(std::vector{part("a", "x", "1")}));
+  ASSERT_TRUE(open().commit(updates({part("a", "x", "1")})));
   execute_raw("PRAGMA user_version = 9");
   const auto refused = ExperienceStore::open(path());
   ASSERT_FALSE(refused);
@@ -140,7 +233,7 @@ TEST_F(Experience, OfANewerProgramIsRefusedInWords) {
 }
 
 TEST_F(Experience, NamesAPartThatWasDamaged) {
-  ASSERT_TRUE(open().commit(std::vector{part("a", "x", "1"), part("router", "tile 1", "2")}));
+  ASSERT_TRUE(open().commit(updates({part("a", "x", "1"), part("router", "tile 1", "2")})));
   execute_raw("UPDATE part SET bytes = 'z' WHERE component = 'router'");
   const auto loaded = open().load_all();
   ASSERT_FALSE(loaded);
@@ -156,7 +249,7 @@ TEST_F(Experience, FromADamagedFileIsRefusedOrReadButNeverACrash) {
     auto store = open();
     std::vector<StoredPart> parts;
     for (int i = 0; i < 50; ++i) parts.push_back(part("router", "tile " + std::to_string(i), std::string(500, 'x')));
-    ASSERT_TRUE(store.commit(parts));
+    ASSERT_TRUE(store.commit(updates(parts)));
   }
   const std::string good = *read_file(path());
   std::mt19937_64 random(1);
@@ -178,7 +271,7 @@ TEST_F(Experience, FromADamagedFileIsRefusedOrReadButNeverACrash) {
   if (!store) ::_exit(1);
   for (std::uint32_t i = 1;; ++i) {
     const std::string text = std::to_string(i);
-    if (!store->commit(std::vector{part("a", "x", text), part("b", "y", text)})) ::_exit(2);
+    if (!store->commit(updates({part("a", "x", text), part("b", "y", text)}))) ::_exit(2);
     if (::write(pipe_end, &i, sizeof i) != sizeof i) ::_exit(3);
   }
 }
@@ -209,39 +302,6 @@ TEST_F(Experience, LosesNothingCommittedWhenKilled) {
     const std::string text(reinterpret_cast<const char*>((*parts)[0].bytes.data()), (*parts)[0].bytes.size());
     EXPECT_GE(std::stoul(text), told);
   }
-}
-
-TEST_F(Experience, SubmittedIsCommittedByTheWriter) {
-  ExperienceWriter writer(open());
-  for (int i = 0; i <= 100; ++i) writer.submit({part("router", "a", std::to_string(i)), part("router", "b", "same")});
-  ASSERT_TRUE(writer.flush());
-  EXPECT_EQ(*open().load_all(), (std::vector{part("router", "a", "100"), part("router", "b", "same")}));
-}
-
-TEST_F(Experience, SubmittedLastIsCommittedWhenTheWriterEnds) {
-  {
-    ExperienceWriter writer(open());
-    writer.submit({part("router", "a", "1")});
-    writer.submit({part("router", "b", "2")});
-  }
-  EXPECT_EQ(open().load_all()->size(), 2u);
-}
-
-TEST_F(Experience, ThatCouldNotBeCommittedIsKeptForTheNextTry) {
-  auto store = open();
-  ASSERT_TRUE(store.commit(std::vector{part("router", "a", "old")}));
-  ExperienceWriter writer(std::move(store));
-  execute_raw("CREATE TRIGGER full BEFORE INSERT ON part BEGIN SELECT RAISE(ABORT, 'disk full'); END");
-  writer.submit({part("router", "a", "first"), part("router", "b", "2")});
-  const auto failed = writer.flush();
-  ASSERT_FALSE(failed);
-  EXPECT_NE(failed.error().what.en.find("disk full"), std::string::npos);
-  EXPECT_FALSE(writer.status());
-  execute_raw("DROP TRIGGER full");
-  writer.submit({part("router", "a", "newer")});
-  EXPECT_TRUE(writer.flush());
-  EXPECT_TRUE(writer.status());
-  EXPECT_EQ(*open().load_all(), (std::vector{part("router", "a", "newer"), part("router", "b", "2")}));
 }
 
 }  // namespace

@@ -17,6 +17,10 @@ Result<void> make(std::span<const Kind<Product>* const> kinds, const ComponentMo
     if (error.place.file.empty()) error.place = model.place;
     return tl::unexpected<Error>(std::move(error));
   }
+  for (const std::string_view name : model.descriptor->rests_on) {
+    part.rests_on.push_back({std::string(name), model.parameters.text(name)});
+  }
+  part.encode = kind->encode;
   part.role = Role{made->get()};
   part.component = std::move(*made);
   return {};

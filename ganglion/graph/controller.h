@@ -26,6 +26,7 @@ struct ModuleExperience {
   std::string kind;
   std::uint32_t version = 0;
   std::vector<ExperiencePart> parts;
+  std::vector<RestsOn> rests_on{};  ///< Empty: nothing, or nobody wrote it down.
 };
 
 /// Which run and robot a controller lives in: the sources of chance depend on nothing else.
@@ -56,9 +57,15 @@ class Controller {
   std::span<const double> values() const noexcept { return {block_->now.data(), signals_.size()}; }
   const Digest& digest() const noexcept { return digest_; }
 
+  /// The components that learn, and all that they have learned, as it is stored. Between ticks.
+  std::vector<LearningComponent> learners() const;
   std::vector<ModuleExperience> experience() const;
-  /// Hands what was learned to the components it came from; what no component claims is reported and left alone.
+  /// Hands what was learned to the components it came from; what no component claims, or was learned with other values
+  /// of what it rests on, is reported and left alone.
   void load(const std::vector<ModuleExperience>& learned, Problems& problems);
+
+  /// How many requests to acting modules were satisfied or withdrawn so far: then something may have been learned.
+  std::uint64_t concluded() const noexcept;
 
   int components() const noexcept { return static_cast<int>(parts_.size()); }
   const std::string& id(int component) const noexcept { return parts_[static_cast<std::size_t>(component)].id; }

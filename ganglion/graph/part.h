@@ -71,6 +71,8 @@ struct Part {
   std::string id;
   std::string kind;                      ///< "" of a sensation.
   std::unique_ptr<Component> component;  ///< Null of a sensation; its role knows it by its class.
+  Encode encode = nullptr;               ///< Of what it learns.
+  std::vector<RestsOn> rests_on{};
   std::variant<SensationRole, SensingRole, GoalRole, ActingRole, CoordinatorRole> role;
   std::vector<Copy> gather{};
   Stretch signals{};                      ///< All its outputs and its command.

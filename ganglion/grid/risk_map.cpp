@@ -25,6 +25,7 @@ RiskMap::RiskMap(int max_tiles, const RiskRule& rule)
       lapses_(rule.inhibition_base + rule.inhibition_span + 1u, 0) {
   expects(max_tiles >= 1);
   tiles_.reserve(max_tiles_);
+  list_parts();
 }
 
 std::size_t RiskMap::slot_of(std::int32_t column, std::int32_t row) const noexcept {
@@ -48,7 +49,9 @@ const Cell* RiskMap::find(CellIndex cell) const noexcept {
 
 Cell* RiskMap::at(CellIndex cell) noexcept {
   Tile* tile = tile_at(cell.column >> kTileShift, cell.row >> kTileShift);
-  return tile == nullptr ? nullptr : &tile->cells[within_tile(cell)];
+  if (tile == nullptr) return nullptr;
+  touch(tile->part);
+  return &tile->cells[within_tile(cell)];
 }
 
 Tile& RiskMap::add_tile(std::int32_t column, std::int32_t row) {
@@ -58,6 +61,7 @@ Tile& RiskMap::add_tile(std::int32_t column, std::int32_t row) {
   tile.column = column;
   tile.row = row;
   directory_[slot_of(column, row)] = &tile;
+  list_parts();
   ++revision_;
   return tile;
 }
@@ -130,6 +134,7 @@ void RiskMap::book_cost(CellIndex index, double cost_j) noexcept {
   if (cell == nullptr) return;
   note_cost(*cell, cost_j);
   note_cost(whole_, cost_j);
+  touch(kWholePart);
 }
 
 bool RiskMap::spent(const Cell& cell) const noexcept {

@@ -4,6 +4,8 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "ganglion/base/result.h"
@@ -19,6 +21,8 @@ inline constexpr int kTileSide = 64;
 struct Tile {
   std::int32_t column = 0;
   std::int32_t row = 0;
+  std::string name;      ///< Of its part of what is stored: "tile -1 0".
+  std::size_t part = 0;  ///< Its place among the parts.
   std::array<Cell, kTileSide * kTileSide> cells{};
 };
 
@@ -77,13 +81,20 @@ class RiskMap {
   int occupied() const noexcept { return occupied_; }
   std::span<const std::unique_ptr<Tile>> tiles() const noexcept { return tiles_; }
 
-  /// One part for the whole and one for each tile, in row order; cells never explored take no room.
-  void save(std::vector<ExperiencePart>& parts) const;
+  /// One part for the whole and one for each tile, in row order.
+  std::span<const PartState> parts() const noexcept { return parts_; }
+  /// Of a tile its place and its cells as they lie in memory.
+  void copy(std::size_t part, std::vector<std::byte>& into) const;
+  /// What is stored of copy()'s bytes: cells never explored take no room.
+  static void encode(std::string_view part, std::span<const std::byte> raw, std::vector<std::byte>& stored);
   /// A map of the same limits from saved parts. Fails with Corrupt, or with Unsupported when it holds too many tiles.
   Result<RiskMap> loaded(std::span<const ExperiencePart> parts) const;
 
  private:
+  /// To be changed.
   Cell* at(CellIndex cell) noexcept;
+  void touch(std::size_t part) noexcept { parts_[part].generation = ++changes_; }
+  void list_parts();
   void enter_round(Cell& cell) const noexcept;
   std::size_t slot_of(std::int32_t column, std::int32_t row) const noexcept;
   Tile* tile_at(std::int32_t column, std::int32_t row) const noexcept;
@@ -92,9 +103,12 @@ class RiskMap {
   Result<void> load_summary(std::span<const std::byte> bytes);
   Result<void> load_tile(const ExperiencePart& part);
 
+  static constexpr std::size_t kWholePart = 0;
   RiskRule rule_;
   std::size_t max_tiles_;
   std::vector<std::unique_ptr<Tile>> tiles_;
+  std::vector<PartState> parts_;  ///< First the whole, then tiles in row order.
+  std::uint64_t changes_ = 0;
   std::vector<Tile*> directory_;       ///< Hash table of the tiles, open addressing, at most half full.
   std::vector<std::uint32_t> lapses_;  ///< Ticks at which inhibitions end, each at its remainder.
   Cell whole_{};                       ///< Running mean of the cost of all crossings.

@@ -4,7 +4,10 @@
 //                   u32 index, u8 label + 4 * dynamic, f64 risk, f64 mean cost, u32 crossings in that mean
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <type_traits>
 
+#include "ganglion/base/expects.h"
 #include "ganglion/grid/risk_map.h"
 
 namespace ganglion::grid {
@@ -42,30 +45,71 @@ tl::unexpected<Error> corrupt(std::string_view part, const Text& wanted) {
               part, wanted);
 }
 
-ExperiencePart part_of(const Tile& tile) {
-  const auto worth = [](const Cell& cell) { return cell.label != Label::Unexplored || cell.risk > 0; };
-  ByteWriter writer;
-  writer.i32(tile.column);
-  writer.i32(tile.row);
-  writer.u32(static_cast<std::uint32_t>(std::count_if(tile.cells.begin(), tile.cells.end(), worth)));
-  for (std::uint32_t i = 0; i < tile.cells.size(); ++i) {
-    if (worth(tile.cells[i])) write_cell(writer, i, tile.cells[i]);
-  }
-  return {fmt::format("tile {} {}", tile.column, tile.row), writer.take()};
+constexpr std::size_t kTileBytes = 2 * sizeof(std::int32_t) + sizeof(Tile::cells);
+static_assert(std::is_trivially_copyable_v<Cell>);
+
+void encode_tile(std::span<const std::byte> raw, ByteWriter& writer) {
+  expects(raw.size() == kTileBytes);
+  std::array<std::int32_t, 2> place{};
+  std::memcpy(place.data(), raw.data(), sizeof place);
+  raw = raw.subspan(sizeof place);
+  std::uint32_t worth = 0;
+  const auto for_each_worth = [raw](auto&& what) {
+    for (std::uint32_t i = 0; i < std::tuple_size_v<decltype(Tile::cells)>; ++i) {
+      Cell cell;
+      std::memcpy(&cell, raw.data() + i * sizeof(Cell), sizeof(Cell));
+      if (cell.label != Label::Unexplored || cell.risk > 0) what(i, cell);
+    }
+  };
+  for_each_worth([&](std::uint32_t, const Cell&) { ++worth; });
+  writer.i32(place[0]);
+  writer.i32(place[1]);
+  writer.u32(worth);
+  for_each_worth([&](std::uint32_t index, const Cell& cell) { write_cell(writer, index, cell); });
 }
 
 }  // namespace
 
-void RiskMap::save(std::vector<ExperiencePart>& parts) const {
-  ByteWriter summary;
-  summary.f64(whole_.cost_j);
-  summary.u32(whole_.costed);
-  parts.push_back({std::string(kSummary), summary.take()});
-  std::vector<const Tile*> sorted;
+void RiskMap::list_parts() {
+  std::vector<Tile*> sorted;
   for (const auto& tile : tiles_) sorted.push_back(tile.get());
   std::sort(sorted.begin(), sorted.end(),
             [](const Tile* a, const Tile* b) { return a->row != b->row ? a->row < b->row : a->column < b->column; });
-  for (const Tile* tile : sorted) parts.push_back(part_of(*tile));
+  const std::vector<PartState> before = std::move(parts_);
+  parts_ = {{kSummary, before.empty() ? ++changes_ : before.front().generation}};
+  for (Tile* tile : sorted) {
+    const bool known = !tile->name.empty();
+    if (!known) tile->name = fmt::format("tile {} {}", tile->column, tile->row);
+    parts_.push_back({tile->name, known ? before[tile->part].generation : ++changes_});
+    tile->part = parts_.size() - 1;
+  }
+}
+
+void RiskMap::copy(std::size_t part, std::vector<std::byte>& into) const {
+  if (part == kWholePart) {
+    ByteWriter writer(std::move(into));
+    writer.f64(whole_.cost_j);
+    writer.u32(whole_.costed);
+    into = writer.take();
+    return;
+  }
+  const auto found = std::find_if(tiles_.begin(), tiles_.end(), [part](const auto& one) { return one->part == part; });
+  expects(found != tiles_.end());
+  const Tile& tile = **found;
+  const std::array place = {tile.column, tile.row};
+  into.resize(kTileBytes);
+  std::memcpy(into.data(), place.data(), sizeof place);
+  std::memcpy(into.data() + sizeof place, tile.cells.data(), sizeof tile.cells);
+}
+
+void RiskMap::encode(std::string_view part, std::span<const std::byte> raw, std::vector<std::byte>& stored) {
+  if (part == kSummary) {
+    stored.assign(raw.begin(), raw.end());
+    return;
+  }
+  ByteWriter writer(std::move(stored));
+  encode_tile(raw, writer);
+  stored = writer.take();
 }
 
 Result<RiskMap> RiskMap::loaded(std::span<const ExperiencePart> parts) const {
@@ -82,6 +126,8 @@ Result<RiskMap> RiskMap::loaded(std::span<const ExperiencePart> parts) const {
     if (!taken) return tl::unexpected<Error>(taken.error());
   }
   map.revision_ = revision_ + 1;
+  map.changes_ += changes_;
+  for (PartState& part : map.parts_) part.generation += changes_;  // none that one of these parts has had
   return map;
 }
 

@@ -176,10 +176,10 @@ RiskMap travelled() {
   return map;
 }
 
+std::vector<ExperiencePart> stored(const RiskMap& map) { return stored_parts(map, RiskMap::encode); }
+
 TEST(RiskMap, ComesBackFromItsParts) {
-  const RiskMap map = travelled();
-  std::vector<ExperiencePart> parts;
-  map.save(parts);
+  const auto parts = stored(travelled());
   ASSERT_EQ(parts.size(), 5u);
   EXPECT_EQ(parts[0].name, "map");
   EXPECT_EQ(parts[1].name, "tile -1 -1");
@@ -193,14 +193,50 @@ TEST(RiskMap, ComesBackFromItsParts) {
   EXPECT_EQ(loaded->find({4, 2})->nature, Nature::Static);
   EXPECT_EQ(loaded->find({4, 2})->risk, 0.2);
   EXPECT_EQ(loaded->find({4, 2})->inhibited_until, 0u);  // belongs to the drive, not to experience
-  std::vector<ExperiencePart> again;
-  loaded->save(again);
+  const auto again = stored(*loaded);
   for (std::size_t i = 0; i < parts.size(); ++i) EXPECT_EQ(again[i].bytes, parts[i].bytes);
 }
 
+/// The names of the parts that are of another generation than before.
+std::vector<std::string> changed(const RiskMap& map, std::vector<PartState>& before) {
+  std::vector<std::string> names;
+  for (const PartState& part : map.parts()) {
+    const auto same = [&part](const PartState& old) {
+      return old.name == part.name && old.generation == part.generation;
+    };
+    if (std::none_of(before.begin(), before.end(), same)) names.emplace_back(part.name);
+  }
+  before.assign(map.parts().begin(), map.parts().end());
+  return names;
+}
+
+TEST(RiskMap, TellsWhichOfItsPartsChanged) {
+  using Names = std::vector<std::string>;
+  RiskMap map = travelled();
+  std::vector<PartState> before(map.parts().begin(), map.parts().end());
+  EXPECT_EQ(changed(map, before), Names());
+  static_cast<void>(map.find({3, 2}));
+  map.new_round();
+  EXPECT_EQ(changed(map, before), Names());
+  map.cross({3, 3});
+  EXPECT_EQ(changed(map, before), Names{"tile 0 0"});
+  map.fail({-1, -2}, 9);
+  EXPECT_EQ(changed(map, before), Names{"tile -1 -1"});
+  map.fail_diagonal({0, -1}, 1);
+  EXPECT_EQ(changed(map, before), (Names{"tile 0 -1", "tile 0 0"}));
+  map.book_cost({-1, -1}, 2);
+  EXPECT_EQ(changed(map, before), (Names{"map", "tile -1 -1"}));
+  map.grow_around({0, 64});
+  EXPECT_EQ(changed(map, before), (Names{"tile -1 1", "tile 0 1"}));
+  std::uint64_t newest = 0;
+  for (const PartState& part : map.parts()) newest = std::max(newest, part.generation);
+  map = *map.loaded(stored(map));
+  ASSERT_EQ(map.parts().size(), 7u);
+  for (const PartState& part : map.parts()) EXPECT_GT(part.generation, newest) << "none of those it had before";
+}
+
 TEST(RiskMap, RefusesEveryCutPart) {
-  std::vector<ExperiencePart> parts;
-  travelled().save(parts);
+  const auto parts = stored(travelled());
   for (std::size_t part = 0; part < parts.size(); ++part) {
     for (std::size_t size = 0; size < parts[part].bytes.size(); ++size) {
       auto cut = parts;
@@ -246,8 +282,7 @@ TEST(RiskMap, RefusesACellThatComesTwice) {
 }
 
 TEST(RiskMap, RefusesMoreTilesThanItMayHold) {
-  std::vector<ExperiencePart> parts;
-  travelled().save(parts);
+  const auto parts = stored(travelled());
   const auto loaded = RiskMap(3, {}).loaded(parts);
   ASSERT_FALSE(loaded);
   EXPECT_EQ(loaded.error().code, ErrorCode::Unsupported);

@@ -105,6 +105,12 @@ TEST(EveryKind, TiesItsParametersToOneConfig) {
   });
 }
 
+TEST(EveryKind, RestsOnParametersThatItHas) {
+  for_each([](const Descriptor& kind) {
+    for (const std::string_view name : kind.rests_on) EXPECT_NE(kind.parameter(name), nullptr) << name;
+  });
+}
+
 TEST(EveryKind, NamesEachOfItsValuesOrNone) {
   for_each([](const Descriptor& kind) {
     for (const PortDescriptor& port : kind.ports) {

@@ -41,6 +41,14 @@ void make_of_file(const Prepared& prepared, const Keep& keep, Outcome& outcome) 
     outcome.troubles.push_back({Trouble::Of::Catalogue, listed.error()});
 }
 
+Error kept_beside(const fs::path& file, const std::string& beside) {
+  return {ErrorCode::Unwritable,
+          say({"is not as this run found it; what was learned is kept in {}",
+               "no está como lo encontró esta ejecución; lo aprendido se guarda en {}"},
+              beside),
+          {file.string()}};
+}
+
 Prepared with_faults(Prepared prepared, const std::vector<Fault>& faults) {
   auto& all = prepared.experiment.faults;
   all.insert(all.end(), faults.begin(), faults.end());
@@ -79,17 +87,23 @@ Result<Outcome> carry_out(const Prepared& prepared, const Job& job, const Keep& 
   options.run_file = keep.run_file;
   KeptExperience experience;
   if (!keep.experience.empty()) {
-    auto kept = keep_experience(keep.experience);
+    auto kept = keep_experience(keep.experience, prepared.controller, prepared.experiment.name);
     if (!kept) return tl::unexpected<Error>(kept.error());
     experience = std::move(*kept);
     options.experience = experience.remembered;
-    options.learned = [&](const std::vector<ModuleExperience>& learned) { experience.learn(learned); };
+    options.keeper = experience.keeper.get();
+    for (const Sentence& note : experience.notes) {
+      if (hooks.note) hooks.note(note);
+    }
   }
   const auto result = job.faults.empty() ? run(prepared, options) : run(with_faults(prepared, job.faults), options);
   if (hooks.ended) hooks.ended(result);
   if (!result) return tl::unexpected<Error>(result.error());
   Outcome outcome = outcome_of(job, *result);
-  if (auto kept = experience.conclude(); !kept) outcome.troubles.push_back({Trouble::Of::Files, kept.error()});
+  if (result->experience_error) outcome.troubles.push_back({Trouble::Of::Files, *result->experience_error});
+  if (const auto beside = experience.keeper != nullptr ? experience.keeper->beside() : std::nullopt) {
+    outcome.troubles.push_back({Trouble::Of::Files, kept_beside(keep.experience, *beside)});
+  }
   make_of_file(prepared, keep, outcome);
   return outcome;
 }

@@ -21,6 +21,8 @@ struct Hooks {
   RunOptions run;
   /// Called once when the run is over, before anything is made of its file.
   std::function<void(const Result<RunResult>&)> ended;
+  /// Called with what is taken for granted of what was learned before.
+  std::function<void(const Sentence&)> note;
 };
 
 /// Carries out a run, and all that follows from it: run file, report, catalogue, what was learned. `prepared` is what

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "ganglion/base/result.h"
@@ -13,16 +14,14 @@ namespace ganglion::lab {
 /// What a file remembers, and who adds to it.
 struct KeptExperience {
   std::vector<ModuleExperience> remembered;
-  std::unique_ptr<ExperienceWriter> keeper;  ///< Null: nobody adds.
-
-  void learn(const std::vector<ModuleExperience>& learned);
-  /// Waits until all is written. Fails with the reason where it could not be.
-  Result<void> conclude();
+  std::unique_ptr<ExperienceWriter> keeper;  ///< Null where nothing is added.
+  std::vector<Sentence> notes;               ///< What is not known of it, and is taken for granted.
 };
 
 /// What a file remembers; nothing where there is none, or it is named "". Fails as ExperienceStore does.
-Result<std::vector<ModuleExperience>> read_experience(const std::filesystem::path& file);
-/// The same of a file that a run adds to from now on.
-Result<KeptExperience> keep_experience(const std::filesystem::path& file);
+Result<KeptExperience> read_experience(const std::filesystem::path& file, const ControllerModel& controller);
+/// The same of a file that a run of that name adds to from now on, and no other.
+Result<KeptExperience> keep_experience(const std::filesystem::path& file, const ControllerModel& controller,
+                                       const std::string& run);
 
 }  // namespace ganglion::lab

@@ -57,6 +57,8 @@ struct Kind {
   Result<std::unique_ptr<Product>> (*make)(const Parameters&) = nullptr;
   /// Ports as the parameters shape them, where they do. Known before wires are read; null = those of the descriptor.
   Result<Ports> (*shape)(const Parameters&) = nullptr;
+  /// Of a kind that learns: what is stored of a part's raw bytes; null = the same.
+  Encode encode = nullptr;
 };
 
 /// How most kinds are made: the Config with what the file gives, judged where the kind has something to judge, which may

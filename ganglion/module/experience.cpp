@@ -33,4 +33,12 @@ std::uint32_t ByteReader::u32() noexcept { return static_cast<std::uint32_t>(tak
 std::uint64_t ByteReader::u64() noexcept { return take(bytes_, ok_, 8); }
 double ByteReader::f64() noexcept { return std::bit_cast<double>(u64()); }
 
+void encode_part(Encode encode, std::string_view part, std::span<const std::byte> raw, std::vector<std::byte>& stored) {
+  if (encode != nullptr) {
+    encode(part, raw, stored);
+  } else {
+    stored.assign(raw.begin(), raw.end());
+  }
+}
+
 }  // namespace ganglion

@@ -8,6 +8,7 @@
 
 #include "ganglion/application/fault/faulty_application.h"
 #include "ganglion/kinds/kinds.h"
+#include "ganglion/run/handing_over.h"
 #include "ganglion/run/measure_list.h"
 #include "ganglion/run/recording.h"
 #include "ganglion/run/run_robots.h"
@@ -234,20 +235,6 @@ void tell_digests(const Course& course, const Interference& interference, RunRes
   result.interventions = interference.count();
 }
 
-/// Requests of tasks that were concluded so far: then something may have been learned.
-std::size_t concluded_goals(const Course& course) {
-  std::size_t concluded = 0;
-  for (const Ledger* ledger : course.ledgers()) {
-    if (ledger == nullptr) continue;
-    const auto columns = ledger->columns();
-    const auto outcome = std::ranges::find(columns, "outcome", &LedgerColumn::name);
-    for (std::size_t row = 0; row < ledger->rows() && outcome != columns.end(); ++row) {
-      concluded += ledger->at(row, static_cast<std::size_t>(outcome - columns.begin())) != 0 ? 1 : 0;
-    }
-  }
-  return concluded;
-}
-
 }  // namespace
 
 Result<void> try_start(const Prepared& prepared) {
@@ -282,7 +269,7 @@ Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
   if (!begins) result.reason = say({"{}", "{}"}, kInterrupted);
   const Pace pace(options.pace);
   const std::uint32_t ticks = begins ? ticks_of(prepared) : 0;
-  std::size_t goals = 0;
+  HandingOver handing_over(options.keeper, *course->controllers().front());
   const StopRules stop(prepared.experiment.stop);
   for (std::uint32_t tick = 0; tick < ticks; ++tick) {
     course->decide();
@@ -295,10 +282,7 @@ Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
     }
     const double time_s = (tick + 1) * prepared.step_s;
     measured.update(course->moment(time_s));
-    if (const std::size_t now = concluded_goals(*course); options.learned && now != goals) {
-      goals = now;
-      options.learned(course->controllers().front()->experience());
-    }
+    handing_over.between_ticks();
     if (const Criterion* rule = stop.met(measured)) {
       result.reason = say({"stopped: {}", "parada: {}"}, rule->text());
       break;
@@ -314,9 +298,8 @@ Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
   result.measures = measured.listed();
   result.contacts = contacts_of(*course, prepared);
   tell_digests(*course, interference, result);
-  result.experience = course->controllers().front()->experience();
   judge(prepared.experiment, result);
-  if (options.learned) options.learned(result.experience);
+  if (auto kept = handing_over.conclude(); !kept) result.experience_error = kept.error();
   if (auto finished = recording->finish(result); !finished) result.record_error = finished.error();
   return result;
 }

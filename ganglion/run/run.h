@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 
+#include "ganglion/experience/writer.h"
 #include "ganglion/graph/controller.h"
 #include "ganglion/record/run_sink.h"
 #include "ganglion/run/interference.h"
@@ -20,8 +21,8 @@ struct RunOptions {
   std::function<bool(double)> progress;
   /// Asked between ticks, those of the run on open ground included; true ends the run early.
   std::function<bool()> stop;
-  /// Called when a goal was concluded and at the end, with what robot 0 has learned.
-  std::function<void(const std::vector<ModuleExperience>&)> learned;
+  /// Is handed what robot 0 learns, between ticks and at the end (HandingOver); null: it is forgotten.
+  ExperienceWriter* keeper = nullptr;
   /// Is told all that a run file would hold, whether there is one or not; called between ticks, by the run's own
   /// thread.
   RunSink* watcher = nullptr;
@@ -53,10 +54,10 @@ struct RunResult {
   Contacts contacts;  ///< Of all robots.
   Measures measures;  ///< Of robot 0; with several robots the worst of each is not taken: see docs/manual/run.md.
   std::vector<std::string> files;
-  std::size_t interventions = 0;             ///< How often somebody reached into its world.
-  std::optional<Error> link_lost;            ///< The run ended early for it.
-  std::optional<Error> record_error;         ///< The run was carried out, but its file is not whole.
-  std::vector<ModuleExperience> experience;  ///< Of robot 0 at the end.
+  std::size_t interventions = 0;          ///< How often somebody reached into its world.
+  std::optional<Error> link_lost;         ///< The run ended early for it.
+  std::optional<Error> record_error;      ///< The run was carried out, but its file is not whole.
+  std::optional<Error> experience_error;  ///< The same; the end of what it learned is not kept.
 };
 
 /// Carries out one run. Fails where a component refuses its parameters, the robot finds no place, or the file cannot be

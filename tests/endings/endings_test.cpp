@@ -78,6 +78,34 @@ TEST_F(Endings, ByKillLeaveAFileThatIsRecovered) {
   EXPECT_GT(run->tables.front().rows(), 100u);
 }
 
+TEST_F(Endings, ByKillLeaveTheirExperienceToTheNextRunWhichWasRefusedUntilThen) {
+  const std::string pathfinder = std::string(GANGLION_SOURCE_DIR) + "/experiments/pathfinder";
+  const auto learn = [&](const fs::path& out, const std::string& pace) {
+    return std::vector<std::string>{"run",
+                                    pathfinder,
+                                    "--seed",
+                                    "1",
+                                    "--out",
+                                    out,
+                                    "--pace",
+                                    pace,
+                                    "--no-report",
+                                    "--experience",
+                                    folder_ / "map.sqlite"};
+  };
+  Child first(folder_, learn(folder_, "1x"));
+  ASSERT_TRUE(first.wait_for(run_file(), 1)) << first.err();
+  fs::create_directories(folder_ / "second");
+  Child second(folder_ / "second", learn(folder_ / "second", "max"));
+  EXPECT_EQ(second.wait(), 4);
+  EXPECT_NE(second.err().find("map.sqlite: is being written to by a run of \"Pathfinder"), std::string::npos)
+      << second.err();
+  first.send(SIGKILL);
+  EXPECT_EQ(first.wait(), -SIGKILL);
+  Child heir(folder_ / "second", learn(folder_ / "second", "max"));
+  EXPECT_EQ(heir.wait(), 0) << heir.err();
+}
+
 TEST_F(Endings, OnAFullDiskTellTheResultAndLeaveWhatWasWritten) {
   Child program(folder_,
                 {"run", kNimrod, "--seed", "1", "--set", "run.free_ground=false", "--set", "run.duration_s=2000",

@@ -71,7 +71,8 @@ class DynamicMapRouter final : public ActingModule {
   std::span<const Command> plan() const noexcept override;
   void show(Exhibition& exhibition) const override;
   std::uint32_t experience_version() const noexcept override { return 2; }
-  void save(std::vector<ExperiencePart>& parts) const override { map_.save(parts); }
+  std::span<const PartState> parts() const noexcept override { return map_.parts(); }
+  void copy(std::size_t part, std::vector<std::byte>& into) const override { map_.copy(part, into); }
   Result<void> load(std::uint32_t version, std::span<const ExperiencePart> parts) override;
 
   const grid::RiskMap& map() const noexcept { return map_; }

@@ -112,6 +112,8 @@ constexpr auto within = [](Config& config) -> auto& {
 
 constexpr std::array<double, 3> kTurns = {45, 90, 180};
 
+constexpr std::array<std::string_view, 1> kRestsOn = {"cell_m"};
+
 constexpr std::array kParameters = {
     parameter<Config, &Config::cell_m>(
         {.name = "cell_m",
@@ -313,7 +315,9 @@ extern constinit const ActingModuleKind dynamic_map_router_kind{
                                "Mapea el terreno mientras lo recorre y lleva el robot a la celda solicitada"},
                    .ports = kPorts,
                    .parameters = kParameters,
+                   .rests_on = kRestsOn,
                    .source = "A growing functional modules locomotion subsystem, Methodology 1 and Algorithm 2"},
-    .make = make_bound<ActingModule, DynamicMapRouter, DynamicMapRouterConfig>};
+    .make = make_bound<ActingModule, DynamicMapRouter, DynamicMapRouterConfig>,
+    .encode = grid::RiskMap::encode};
 
 }  // namespace ganglion

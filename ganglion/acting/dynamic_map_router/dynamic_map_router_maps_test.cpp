@@ -93,9 +93,7 @@ std::vector<ExperiencePart> full_knowledge(const GridBot& bot) {
       }
     }
   }
-  std::vector<ExperiencePart> parts;
-  map.save(parts);
-  return parts;
+  return stored_parts(map, grid::RiskMap::encode);
 }
 
 TEST(DynamicMapRouter, DrivesTheOptimumOnAKnownMap) {

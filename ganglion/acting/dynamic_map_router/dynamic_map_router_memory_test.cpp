@@ -19,8 +19,7 @@ TEST(DynamicMapRouter, DrivesAsWellAfterItsExperienceWasSavedAndLoaded) {
     taught.tick();
     ASSERT_EQ(taught.go(6, 2), RequestStatus::Satisfied);
   }
-  std::vector<ExperiencePart> parts;
-  taught.module().save(parts);
+  const auto parts = stored_parts(taught.module(), dynamic_map_router_kind.encode);
   GridBot pupil(room);
   pupil.column = 1, pupil.row = 2;
   Drive drive(pupil);
@@ -34,8 +33,7 @@ TEST(DynamicMapRouter, KeepsItsMapWhenWhatItShallLoadIsDamaged) {
   GridBot bot = open_ground();
   Drive drive(bot);
   ASSERT_EQ(drive.go(8, 5), RequestStatus::Satisfied);
-  std::vector<ExperiencePart> parts;
-  drive.module().save(parts);
+  auto parts = stored_parts(drive.module(), dynamic_map_router_kind.encode);
   parts.back().bytes.pop_back();
   EXPECT_FALSE(drive.module().load(1, parts));
   EXPECT_FALSE(drive.module().load(3, {}));

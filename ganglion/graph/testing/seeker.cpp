@@ -44,6 +44,7 @@ struct SeekerConfig {
   double give_up_at = 1e9;
 };
 
+constexpr std::array<std::string_view, 2> kRestsOn = {"stride", "relative"};
 constexpr std::array kParameters = {
     named<SeekerConfig, &SeekerConfig::stride>("stride"),
     named<SeekerConfig, &SeekerConfig::relative>("relative"),
@@ -61,10 +62,11 @@ class Seeker final : public ActingModule {
 
   void grow() override { history_.reserve(std::min<std::size_t>(history_.size() + 4, 4096)); }
   std::uint32_t experience_version() const noexcept override { return 1; }
-  void save(std::vector<ExperiencePart>& parts) const override {
-    ByteWriter writer;
+  std::span<const PartState> parts() const noexcept override { return {&steps_, 1}; }
+  void copy(std::size_t, std::vector<std::byte>& into) const override {
+    ByteWriter writer(std::move(into));
     for (const double step : history_) writer.f64(step);
-    parts.push_back({"steps", writer.take()});
+    into = writer.take();
   }
   Result<void> load(std::uint32_t version, std::span<const ExperiencePart> parts) override {
     if (version != 1)
@@ -74,6 +76,7 @@ class Seeker final : public ActingModule {
     ByteReader reader(parts[0].bytes);
     history_.clear();
     for (std::size_t i = 0; i < parts[0].bytes.size() / 8; ++i) history_.push_back(reader.f64());
+    ++steps_.generation;
     return {};
   }
 
@@ -96,7 +99,10 @@ class Seeker final : public ActingModule {
       command.values[i] = config_.relative ? step : place[i] + step;
       expected_[i] = place[i] + step;
     }
-    if (history_.size() < history_.capacity()) history_.push_back(command.values[0]);
+    if (history_.size() < history_.capacity()) {
+      history_.push_back(command.values[0]);
+      ++steps_.generation;
+    }
     put(kRemembered, static_cast<double>(history_.size()));
     return command;
   }
@@ -107,10 +113,15 @@ class Seeker final : public ActingModule {
   SeekerConfig config_;
   std::array<double, 2> expected_{};
   std::vector<double> history_;
+  PartState steps_{"steps"};
 };
 
 constexpr Descriptor described(std::string_view name, std::span<const PortDescriptor> ports) {
-  return {.component_class = ComponentClass::Acting, .name = name, .ports = ports, .parameters = kParameters};
+  return {.component_class = ComponentClass::Acting,
+          .name = name,
+          .ports = ports,
+          .parameters = kParameters,
+          .rests_on = kRestsOn};
 }
 
 }  // namespace

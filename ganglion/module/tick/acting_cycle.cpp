@@ -27,6 +27,7 @@ void ActingCycle::settle_request() noexcept {
   const bool seen = request.serial == seen_serial_;  // else nobody knows yet what it means
   if (seen && equal_within(inputs_[joints_.satisfied_by].values, sought_.span(), joints_.comparison)) {
     request.status = RequestStatus::Satisfied;
+    ++request.concluded;
     if (interrupted()) spent = joints_.below->total_cost();  // nothing is learned from it, yet it was paid
   }
   if (spent) {

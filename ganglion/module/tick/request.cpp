@@ -28,6 +28,7 @@ void RequestSlot::clear() noexcept {
 }
 
 void RequestSlot::withdraw(const Reason& why) noexcept {
+  if (status == RequestStatus::Pending) ++concluded;
   status = RequestStatus::Withdrawn;
   reason = why;
 }

@@ -25,9 +25,10 @@ struct RequestSlot {
   RequestStatus status = RequestStatus::None;
   std::array<double, kMaxCommandValues> values{};
   int size = 0;
-  std::uint32_t serial = 0;  ///< Counts the requests made.
-  Reason reason{};           ///< Of a withdrawal.
-  double cost = 0;           ///< Sum over the ticks since the request was made; of a standing one of the last tick.
+  std::uint32_t serial = 0;     ///< Counts the requests made.
+  std::uint32_t concluded = 0;  ///< Counts those that were satisfied or withdrawn.
+  Reason reason{};              ///< Of a withdrawal.
+  double cost = 0;              ///< Sum over the ticks since the request was made; of a standing one of the last tick.
   bool has_cost = false;
   std::uint32_t ticks = 0;  ///< Ticks since the request was made.
   int width = 0;            ///< Values that a request must have; 0 = any number of them.

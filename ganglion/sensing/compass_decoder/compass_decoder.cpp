@@ -18,7 +18,6 @@ enum Output : std::size_t { kYaw, kStrength, kCalibrated };
 constexpr int kSectors = 12;
 constexpr std::uint32_t kAllSectors = (1U << kSectors) - 1;
 constexpr double kMost_V = 1000;  // beyond any real device: a damaged file
-constexpr std::string_view kPart = "calibration";
 
 constexpr std::array kPorts = {
     kCosineVoltage,
@@ -118,11 +117,10 @@ double CompassDecoder::reduced(double voltage, const VoltageSpan& span) const no
   return (2 * voltage - span.low_V - span.high_V) / (span.high_V - span.low_V);
 }
 
-void CompassDecoder::save(std::vector<ExperiencePart>& parts) const {
-  if (!calibrated_) return;
-  ByteWriter writer;
+void CompassDecoder::copy(std::size_t, std::vector<std::byte>& into) const {
+  ByteWriter writer(std::move(into));
   for (const double voltage : {va_.low_V, va_.high_V, vb_.low_V, vb_.high_V}) writer.f64(voltage);
-  parts.push_back({std::string(kPart), writer.take()});
+  into = writer.take();
 }
 
 Result<void> CompassDecoder::load(std::uint32_t version, std::span<const ExperiencePart> parts) {
@@ -132,7 +130,7 @@ Result<void> CompassDecoder::load(std::uint32_t version, std::span<const Experie
                  "la calibración es de la versión {}; este programa conoce la 1"},
                 version);
   for (const ExperiencePart& part : parts) {
-    if (part.name != kPart) continue;
+    if (part.name != calibration_.name) continue;
     ByteReader reader(part.bytes);
     VoltageSpan va{reader.f64(), reader.f64()};
     VoltageSpan vb{reader.f64(), reader.f64()};
@@ -145,6 +143,7 @@ Result<void> CompassDecoder::load(std::uint32_t version, std::span<const Experie
     va_ = va;
     vb_ = vb;
     calibrated_ = true;
+    ++calibration_.generation;
   }
   return {};
 }

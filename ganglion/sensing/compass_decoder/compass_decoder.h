@@ -39,7 +39,8 @@ class CompassDecoder final : public SensingModule {
   explicit CompassDecoder(const CompassDecoderConfig& config) noexcept : config_(config) {}
 
   std::uint32_t experience_version() const noexcept override { return 1; }
-  void save(std::vector<ExperiencePart>& parts) const override;
+  std::span<const PartState> parts() const noexcept override { return {&calibration_, calibrated_ ? 1u : 0u}; }
+  void copy(std::size_t part, std::vector<std::byte>& into) const override;
   Result<void> load(std::uint32_t version, std::span<const ExperiencePart> parts) override;
 
  private:
@@ -52,6 +53,7 @@ class CompassDecoder final : public SensingModule {
   VoltageSpan vb_{};
   std::uint32_t sectors_ = 0;  ///< One bit each.
   bool calibrated_ = false;
+  PartState calibration_{"calibration"};
 };
 
 extern const SensingModuleKind compass_decoder_kind;

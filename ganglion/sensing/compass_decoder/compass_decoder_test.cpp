@@ -72,13 +72,15 @@ TEST(CompassDecoder, WaitsForAWholeTurn) {
 TEST(CompassDecoder, RemembersItsCalibration) {
   constexpr Device kBent{2.60, 2.35, 0.55, 0.66};
   SensingBench bench(compass_decoder_kind);
-  std::vector<ExperiencePart> parts;
-  bench.product().save(parts);
-  EXPECT_TRUE(parts.empty());
+  EXPECT_TRUE(bench.product().parts().empty());
   for (int deg = 0; deg < 360; ++deg) error_deg(bench, kBent, deg);
-  bench.product().save(parts);
+  const auto parts = stored_parts(bench.product(), nullptr);
+  ASSERT_EQ(parts.size(), 1u);
   SensingBench fresh(compass_decoder_kind);
+  const auto before = fresh.product().parts().size();
   ASSERT_TRUE(fresh.product().load(1, parts));
+  EXPECT_EQ(before, 0u);
+  EXPECT_EQ(fresh.product().parts().front().generation, 1u);
   EXPECT_NEAR(error_deg(fresh, kBent, 33), 0, 0.1);
   EXPECT_EQ(fresh.out("calibrated"), 1);
 }
