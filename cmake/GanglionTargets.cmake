@@ -2,7 +2,7 @@
 
 # Each layer may use the layers before it and itself. Layers on one line stand beside each other and do not meet.
 set(GANGLION_LAYERS
-  "base" "math" "units" "geometry" "random"
+  "base" "math" "units" "geometry" "random" "exhibit"
   "descriptor" "config" "application"
   "module" "fuzzy" "grid" "task"
   "goal|sensing|acting|coordination|sim|plant|measure"
@@ -105,4 +105,22 @@ function(ganglion_kind_folders)
     cmake_path(GET folder PARENT_PATH folder)
     add_subdirectory(${folder})
   endforeach()
+endfunction()
+
+# ganglion_list_kinds(class type namespace): adds to `declarations`, `lists` and `libraries` what the folders hold that
+# ganglion_add_kind() saw; a configured header makes the list of it, and nobody keeps one by hand.
+function(ganglion_list_kinds class type namespace)
+  get_property(names GLOBAL PROPERTY GANGLION_KINDS_${class})
+  list(SORT names)
+  list(LENGTH names count)
+  set(members "")
+  foreach(name IN LISTS names)
+    string(APPEND declarations "namespace ${namespace} { extern const ${type} ${name}_kind; }\n")
+    string(APPEND members "  &${namespace}::${name}_kind,\n")
+    list(APPEND libraries ganglion_${class}_${name})
+  endforeach()
+  string(APPEND lists "constexpr std::array<const ${namespace}::${type}*, ${count}> k_${class} = {\n${members}};\n")
+  set(declarations "${declarations}" PARENT_SCOPE)
+  set(lists "${lists}" PARENT_SCOPE)
+  set(libraries "${libraries}" PARENT_SCOPE)
 endfunction()

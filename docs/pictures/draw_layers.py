@@ -28,6 +28,7 @@ FOLDERS = {  # role, English, Spanish
     "units": ("ground", "angles, speed of sound", "ángulos, velocidad del sonido"),
     "geometry": ("ground", "vectors and poses", "vectores y poses"),
     "random": ("ground", "draws by seed and tick", "sorteos por semilla y ciclo"),
+    "exhibit": ("ground", "what is shown, by form", "lo que se muestra, por forma"),
     "descriptor": ("ground", "what kinds say of themselves", "lo que los tipos dicen de sí"),
     "config": ("ground", "TOML with places", "TOML con lugares"),
     "application": ("ground", "frames, self-description", "tramas, autodescripción"),

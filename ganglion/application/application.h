@@ -10,6 +10,7 @@
 #include "ganglion/application/terrain.h"
 #include "ganglion/application/witness.h"
 #include "ganglion/base/result.h"
+#include "ganglion/exhibit/exhibit.h"
 
 namespace ganglion {
 
@@ -41,9 +42,8 @@ struct ActFrame {
 
 /// Whatever answers commands with feedback: a simulated robot, a plant, a real robot. Frames are made once by
 /// make_sense_frame() and make_act_frame(); nothing is allocated while stepping.
-class Application {
+class Application : public Exhibitor {
  public:
-  virtual ~Application() = default;
   virtual const Description& description() const noexcept = 0;
   virtual int robots() const noexcept = 0;
   /// Begins an episode: the same seed and episode give the same bits as in a fresh process.

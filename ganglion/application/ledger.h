@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ganglion/base/sentence.h"
+#include "ganglion/exhibit/role.h"
 
 namespace ganglion {
 
@@ -16,6 +17,7 @@ struct LedgerColumn {
   std::string name;
   std::string unit;
   std::vector<Sentence> words;  ///< Of the values 0, 1, 2... where they are names; else empty.
+  std::vector<Role> roles;      ///< The same to the eye, where rows have a place.
 };
 
 /// What can be said of a ledger before it has a row.
@@ -25,6 +27,9 @@ struct LedgerForm {
   /// What happened, of one row for people: "goal {#} at cell {goal_column}, {goal_row}: {outcome}". {#} counts rows from
   /// 1, {name} is the value of a column, or its word. Empty: nothing is told.
   Sentence line;
+  /// What rows are to the eye. They have a place where there are columns x_m, y_m and outcome, which has roles.
+  Text title{"Records", "Registros"};
+  double cell_m = 0;  ///< Of the cells that they stand in; 0 = they stand anywhere.
 
   std::optional<std::size_t> column(std::string_view name) const noexcept;
 };

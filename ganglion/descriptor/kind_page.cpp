@@ -13,7 +13,7 @@
 namespace ganglion {
 namespace {
 
-constexpr std::array<Text, 10> kClasses = {{{"Sensation", "Sensación"},
+constexpr std::array<Text, 11> kClasses = {{{"Sensation", "Sensación"},
                                             {"Sensing module", "Módulo de detección"},
                                             {"Global goal", "Objetivo global"},
                                             {"Acting module", "Módulo de actuación"},
@@ -22,8 +22,9 @@ constexpr std::array<Text, 10> kClasses = {{{"Sensation", "Sensación"},
                                             {"Simulated drive", "Tracción simulada"},
                                             {"Simulated plant", "Planta simulada"},
                                             {"Task", "Tarea"},
-                                            {"Measure", "Medida"}}};
-constexpr std::array<Text, 10> kGroups = {{{"Sensations", "Sensaciones"},
+                                            {"Measure", "Medida"},
+                                            {"Picture", "Imagen"}}};
+constexpr std::array<Text, 11> kGroups = {{{"Sensations", "Sensaciones"},
                                            {"Sensing modules", "Módulos de detección"},
                                            {"Global goals", "Objetivos globales"},
                                            {"Acting modules", "Módulos de actuación"},
@@ -32,7 +33,8 @@ constexpr std::array<Text, 10> kGroups = {{{"Sensations", "Sensaciones"},
                                            {"Simulated drives", "Tracciones simuladas"},
                                            {"Simulated plants", "Plantas simuladas"},
                                            {"Tasks", "Tareas"},
-                                           {"Measures", "Medidas"}}};
+                                           {"Measures", "Medidas"},
+                                           {"Pictures", "Imágenes"}}};
 constexpr std::array<Text, 6> kRoles = {{{"request", "solicitud"},
                                          {"feedback", "retroalimentación"},
                                          {"candidate", "candidato"},

@@ -6,7 +6,7 @@
 #include "ganglion/base/expects.h"
 #include "ganglion/descriptor/parameters.h"
 #include "ganglion/descriptor/ports.h"
-#include "ganglion/module/exhibit.h"
+#include "ganglion/exhibit/exhibit.h"
 #include "ganglion/module/experience.h"
 #include "ganglion/module/tick/feedback.h"
 #include "ganglion/random/draws.h"

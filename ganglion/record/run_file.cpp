@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ganglion/base/file.h"
+#include "ganglion/record/exhibit/track.h"
 #include "ganglion/record/signals.h"
 
 namespace ganglion {
@@ -29,6 +30,9 @@ class Collector {
           {static_cast<double>(message.log_time_ns) * 1e-9, std::string(message.data)});
     } else if (is_table(channel)) {
       take_row(channel, message);
+    } else if (channel.message_encoding == "protobuf" && track_of(channel.topic)) {
+      run_.exhibits[channel.topic].push_back(
+          {static_cast<double>(message.log_time_ns) * 1e-9, std::string(message.data)});
     }
   }
 

@@ -25,14 +25,21 @@ struct JsonTopic {
   std::vector<JsonMessage> messages;
 };
 
+/// One state of something that was shown, not looked into (ganglion/record/exhibit/exhibit_codec.h).
+struct ExhibitMessage {
+  double time_s = 0;
+  std::string bytes;
+};
+
 /// A recorded run, read whole.
 struct RunFile {
   RunInfo info;
   std::optional<RunOutcome> outcome;  ///< None when the run was cut.
   std::vector<mcap::Attachment> attachments;
   std::vector<SignalTable> tables;
-  std::map<std::string, JsonTopic, std::less<>> json;  ///< By topic.
-  std::vector<Sentence> damages;                       ///< What Recover::Yes passed over, in words.
+  std::map<std::string, JsonTopic, std::less<>> json;                        ///< By topic.
+  std::map<std::string, std::vector<ExhibitMessage>, std::less<>> exhibits;  ///< By topic.
+  std::vector<Sentence> damages;  ///< What Recover::Yes passed over, in words.
 
   /// Fails with NotFound, Unreadable, TooLarge, Syntax (no MCAP file), Unsupported (an MCAP file, but not of a run) or
   /// Corrupt; a cut or damaged file can be read with Recover::Yes as far as it goes.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ganglion/base/expects.h"
+#include "ganglion/record/exhibit/exhibit_codec.h"
 #include "ganglion/record/signals.h"
 
 namespace ganglion {
@@ -84,6 +85,16 @@ void RunRecorder::write_json(std::string_view topic, std::string_view schema_nam
   Channel& channel = json_channel(topic, schema_name);
   const std::uint64_t time_ns = to_ns(time_s);
   writer_.write(channel.id, time_ns, time_ns, channel.messages++, json);
+}
+
+void RunRecorder::write_exhibit(std::string_view topic, double time_s, std::string_view bytes) {
+  auto known = exhibits_.find(topic);
+  if (known == exhibits_.end()) {
+    if (exhibit_schema_ == 0) exhibit_schema_ = writer_.add_schema(kExhibitSchema, "protobuf", exhibit_descriptor());
+    known = exhibits_.emplace(topic, Channel{writer_.add_channel(topic, exhibit_schema_, "protobuf"), 0, 0}).first;
+  }
+  const std::uint64_t time_ns = to_ns(time_s);
+  writer_.write(known->second.id, time_ns, time_ns, known->second.messages++, bytes);
 }
 
 void RunRecorder::attach(std::string_view name, std::string_view bytes) {

@@ -18,7 +18,7 @@ namespace ganglion {
 /// Records one run into an MCAP file (design: run files). Called between ticks; failures of the disk never reach the
 /// robot: they are kept and given by status() and finish().
 ///
-/// Tables are channels of protobuf messages ganglion.Signals. Views for other people's programs are channels of JSON
+/// Tables are channels of protobuf messages ganglion.Signals, what is shown of messages ganglion.Exhibit. Views for other people's programs are channels of JSON
 /// whose schemas are named as Foxglove's viewers know them ("foxglove.PoseInFrame", "foxglove.LaserScan"...) or
 /// "ganglion.*". Every message's time is the run's own, from 0 [ns]: two runs of one seed have the same messages, byte
 /// for byte.
@@ -31,6 +31,7 @@ class RunRecorder final : public RunSink {
   int add_table(std::string_view topic, std::span<const SignalColumn> columns) override;
   void write_row(int table, std::uint32_t tick, double time_s, std::span<const double> values) override;
   void write_json(std::string_view topic, std::string_view schema_name, double time_s, std::string_view json) override;
+  void write_exhibit(std::string_view topic, double time_s, std::string_view bytes) override;
   /// An input file, the experience the run started from...
   void attach(std::string_view name, std::string_view bytes);
   /// Starts all so far on its way to the disk: for a run that pauses.
@@ -54,7 +55,8 @@ class RunRecorder final : public RunSink {
   std::vector<Channel> tables_;
   std::map<std::string, Channel, std::less<>> json_channels_;
   std::map<std::string, std::uint16_t, std::less<>> json_schemas_;
-  std::uint16_t signals_schema_ = 0;
+  std::map<std::string, Channel, std::less<>> exhibits_;
+  std::uint16_t signals_schema_ = 0, exhibit_schema_ = 0;
   std::string row_;  ///< Reused from tick to tick.
 };
 

@@ -25,6 +25,10 @@ class RunSink {
   /// `json` is one object, not looked into. The first message of a topic makes its channel.
   virtual void write_json(std::string_view topic, std::string_view schema_name, double time_s,
                           std::string_view json) = 0;
+  /// A state of something that is shown (ganglion/record/exhibit/exhibit.proto).
+  virtual void write_exhibit(std::string_view topic, double time_s, std::string_view bytes) = 0;
+  /// Keeps every message, so that changes are enough; else the newest counts and is told whole.
+  virtual bool archives() const noexcept { return true; }
 };
 
 }  // namespace ganglion

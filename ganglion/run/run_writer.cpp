@@ -7,7 +7,6 @@
 #include "ganglion/base/hash.h"
 #include "ganglion/base/text.h"
 #include "ganglion/link/wire/words.h"
-#include "ganglion/run/exhibit_writer.h"
 
 namespace ganglion {
 namespace {
@@ -100,19 +99,61 @@ Text words_of(ReasonCode code) noexcept {
   return Text::same(name_of(code));
 }
 
+/// The newest rows of a ledger that have a place, each with what became of it.
+class RowsShown final : public Exhibitor {
+ public:
+  RowsShown(const LedgerForm& form, const Ledger& ledger) : form_(form), ledger_(ledger) {}
+
+  void show(Exhibition& to) const override {
+    constexpr std::size_t kNewest = 32;
+    const std::size_t x = *form_.column("x_m"), y = *form_.column("y_m"), outcome = *form_.column("outcome");
+    const std::size_t first = ledger_.rows() > kNewest ? ledger_.rows() - kNewest : 0;
+    std::vector<Vector2> places;
+    std::vector<std::string> ids;
+    for (std::size_t row = first; row < ledger_.rows(); ++row) {
+      places.push_back({ledger_.at(row, x), ledger_.at(row, y)});
+      ids.push_back(fmt::format("goal {}", row + 1));
+    }
+    std::vector<Shape> shapes;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      shapes.push_back({.form = Form::Disc,
+                        .role = role_of(form_.columns[outcome], ledger_.at(first + i, outcome)),
+                        .id = ids[i],
+                        .points = std::span(places).subspan(i, 1),
+                        .label = Sentence::quoted(fmt::format("{}", first + i + 1))});
+    }
+    to.marks({.name = "goals", .title = form_.title, .shapes = shapes});
+  }
+
+ private:
+  static Role role_of(const LedgerColumn& column, double value) noexcept {
+    const auto known = static_cast<double>(column.roles.size());
+    return value >= 0 && value < known ? column.roles[static_cast<std::size_t>(value)] : Role::Plain;
+  }
+  const LedgerForm& form_;
+  const Ledger& ledger_;
+};
+
+bool has_places(const LedgerForm& form) {
+  const auto outcome = form.column("outcome");
+  return form.column("x_m") && form.column("y_m") && outcome && !form.columns[*outcome].roles.empty();
+}
+
 }  // namespace
 
 RunWriter::RunWriter(RunSink& recorder, const Experiment& experiment, const ControllerModel& model,
                      const ApplicationModel& application, const RunRobots& robots,
                      const std::vector<std::unique_ptr<Controller>>& controllers)
     : recorder_(recorder),
+      application_(robots.application()),
       witness_(robots.witness()),
       truth_(application.truth()),
       ledgers_(application.ledgers()),
       remote_(robots.remote()),
       controllers_(controllers),
       maps_every_s_(experiment.maps_every_s),
-      cell_m_(cell_of(model)) {
+      cell_m_(cell_of(model)),
+      exhibits_(recorder) {
   for (std::size_t i = 0; i < controllers.size(); ++i) {
     Robot one;
     const auto columns = columns_of(*controllers[i], truth_);
@@ -140,6 +181,9 @@ void RunWriter::write_scene(const std::string& scene, const Description& descrip
                   {"radius_m", description.body->radius_m},
                   {"sensors", sensors}});
   }
+  for (const LedgerForm& form : ledgers_) {
+    if (form.cell_m > 0) robot["goal_cell_m"] = form.cell_m;
+  }
   const Json robots(controllers_.size(), robot);
   const Json run = {{"robots", robots}, {"coordinators", coordinators_json(model)}, {"cell_m", cell_m_}};
   recorder_.write_json("/run", "ganglion.Run", 0, run.dump());
@@ -159,6 +203,7 @@ void RunWriter::write(std::uint32_t tick, double time_s) {
   if (remote_ != nullptr) write_link(tick, time_s);
   if (time_s + 1e-9 < next_maps_s_) return;
   next_maps_s_ = time_s + maps_every_s_;
+  exhibits_.show(application_, {}, time_s);
   for (std::size_t i = 0; i < robots_.size(); ++i) write_exhibits(static_cast<int>(i), time_s);
 }
 
@@ -255,6 +300,7 @@ void RunWriter::write_ledgers(int robot, double time_s) {
       written.outcomes[row] = now;
       write_row(robot, form, *ledger, row, time_s);
     }
+    if (has_places(form)) exhibits_.show(RowsShown(form, *ledger), {robot, form.task}, time_s);
   }
 }
 
@@ -281,9 +327,7 @@ void RunWriter::write_exhibits(int robot, double time_s) {
   for (int i = 0; i < controller.components(); ++i) {
     const Component* component = controller.component(i);
     if (component == nullptr) continue;
-    ExhibitWriter writer(recorder_, robots_[static_cast<std::size_t>(robot)].shown, fmt::format("robot{}", robot),
-                         controller.id(i), time_s);
-    component->show(writer);
+    exhibits_.show(*component, {robot, controller.id(i)}, time_s);
   }
 }
 

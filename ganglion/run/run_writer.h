@@ -1,11 +1,11 @@
 #pragma once
 
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "ganglion/graph/controller.h"
+#include "ganglion/record/exhibit_recorder.h"
 #include "ganglion/record/run_sink.h"
 #include "ganglion/run/experiment.h"
 #include "ganglion/run/interference.h"
@@ -38,9 +38,8 @@ class RunWriter {
   struct Robot {
     int table = -1;
     std::vector<double> row;
-    std::map<std::string, std::uint64_t> shown;  ///< Hash of what each topic showed last.
-    std::vector<std::uint8_t> statuses;          ///< Of each component's request.
-    std::vector<LedgerWritten> ledgers;          ///< What was told of each.
+    std::vector<std::uint8_t> statuses;  ///< Of each component's request.
+    std::vector<LedgerWritten> ledgers;  ///< What was told of each.
   };
   void write_truth(std::size_t robot);
   void write_link(std::uint32_t tick, double time_s);
@@ -52,6 +51,7 @@ class RunWriter {
   void log(double time_s, int level, const std::string& name, const Sentence& message);
 
   RunSink& recorder_;
+  const Application& application_;
   const Witness* witness_;  ///< Null where nobody knows the truth.
   std::span<const TruthChannel> truth_;
   std::span<const LedgerForm> ledgers_;
@@ -62,6 +62,7 @@ class RunWriter {
   double next_maps_s_ = 0;
   double cell_m_ = 0;
   std::uint64_t movers_shown_ = 0;
+  ExhibitRecorder exhibits_;
   std::vector<Robot> robots_;
 };
 

@@ -135,6 +135,7 @@ void DynamicMapRouter::note_arrival(const RouteStep& step) noexcept {
 void DynamicMapRouter::note_failure(const RouteStep& step, bool untouched) noexcept {
   const Blame found = blame(map_, step);
   const auto certain = untouched ? grid::FailureCause::Untouched : grid::FailureCause::Cell;
+  tried_[attempts_++ % tried_.size()] = {*cell_, found.certain ? found.cell : step.to};
   ++failures_;
   if (found.certain) return map_.fail(found.cell, now_, certain);
   // Nobody knows yet that an unexplored cell is to blame: calling it occupied would close free ground to secure routes.

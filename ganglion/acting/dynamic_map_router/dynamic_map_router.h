@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -79,6 +80,11 @@ class DynamicMapRouter final : public ActingModule {
   Phase phase() const noexcept { return phase_; }
 
  private:
+  /// A step that failed: from where, and what is to blame.
+  struct Tried {
+    grid::CellIndex from{}, to{};
+  };
+
   void internal_adaptation(const Feedback& feedback, Cost cost) noexcept override;
   Command internal_propagation(const Request& request, const Feedback& feedback) noexcept override;
   void expected_feedback(std::span<double> appraisal) const noexcept override;
@@ -110,6 +116,10 @@ class DynamicMapRouter final : public ActingModule {
   void publish(Phase phase, const Feedback& feedback) const noexcept;
   void publish_goal(const Feedback& feedback) const noexcept;
 
+  void show_map(Exhibition& exhibition) const;
+  void show_route(Exhibition& exhibition) const;
+  void show_attempts(Exhibition& exhibition) const;
+
   DynamicMapRouterConfig config_;
   grid::RiskMap map_;
   grid::Router router_;
@@ -132,7 +142,9 @@ class DynamicMapRouter final : public ActingModule {
   std::vector<Command> commands_;  ///< The route as commands.
   int rounds_ = 0;
   int failures_ = 0;
-  bool no_route_ = false;  ///< Nothing was found, and nothing has changed since.
+  std::array<Tried, 64> tried_{};  ///< The last failures of all requests, each at its remainder.
+  std::size_t attempts_ = 0;       ///< That failed, of all requests.
+  bool no_route_ = false;          ///< Nothing was found, and nothing has changed since.
   std::uint32_t no_route_revision_ = 0;
   std::optional<std::uint32_t> no_route_until_;
 

@@ -41,24 +41,36 @@ TEST(DynamicMapRouter, KeepsItsMapWhenWhatItShallLoadIsDamaged) {
 }
 
 struct Shown final : Exhibition {
-  void grid(const GridExhibit& grid) override {
-    columns = grid.columns;
-    for (const GridLayer& layer : grid.layers) {
+  bool lacks(std::string_view, std::uint64_t generation) override { return generation != last; }
+  void frame(const FrameExhibit&) override {}
+  void curve(const CurveExhibit&) override {}
+  void bars(const BarExhibit&) override {}
+  void network(const NetworkExhibit&) override {}
+  void field(const FieldExhibit& field) override {
+    ++fields;
+    last = field.generation;
+    columns = field.columns;
+    names.clear();
+    sizes.clear();
+    for (const Layer& layer : field.layers) {
       names.emplace_back(layer.name);
       sizes.push_back(layer.values.size());
     }
-    origin = grid.origin;
-    if (!grid.layers.empty()) label.assign(grid.layers[0].values.begin(), grid.layers[0].values.end());
+    origin = field.origin;
+    label.assign(field.layers[0].values.begin(), field.layers[0].values.end());
   }
-  void path(std::string_view name, std::span<const Vector2> points) override {
-    if (name == "route") route.assign(points.begin(), points.end());
+  void marks(const MarkExhibit& marks) override {
+    auto& lines = marks.name == "route" ? route : attempts;
+    lines.clear();
+    for (const Shape& shape : marks.shapes) lines.emplace_back(shape.points.begin(), shape.points.end());
   }
-  int columns = 0;
+  int fields = 0, columns = 0;
+  std::uint64_t last = 0;
   Vector2 origin;
   std::vector<std::string> names;
   std::vector<std::size_t> sizes;
   std::vector<float> label;
-  std::vector<Vector2> route;
+  std::vector<std::vector<Vector2>> route, attempts;
 };
 
 TEST(DynamicMapRouter, ShowsItsMapAndRouteInMetres) {
@@ -75,9 +87,28 @@ TEST(DynamicMapRouter, ShowsItsMapAndRouteInMetres) {
   EXPECT_EQ(shown.origin, (Vector2{0, 0}));
   EXPECT_EQ(shown.label[5 * 64 + 5], 0.5F);  // explored and empty
   EXPECT_EQ(shown.label[5 * 64 + 6], 1);
-  ASSERT_GE(shown.route.size(), 2u);
-  EXPECT_EQ(shown.route.front(), (Vector2{2.75, 2.75}));
-  EXPECT_EQ(shown.route.back(), (Vector2{3.75, 2.75}));
+  ASSERT_EQ(shown.route.size(), 1u);
+  ASSERT_GE(shown.route[0].size(), 2u);
+  EXPECT_EQ(shown.route[0].front(), (Vector2{2.75, 2.75}));
+  EXPECT_EQ(shown.route[0].back(), (Vector2{3.75, 2.75}));
+}
+
+TEST(DynamicMapRouter, ShowsWhatItTriedAndGathersTheMapOnlyWhereItChanged) {
+  GridBot bot = open_ground();
+  bot.blocks.insert({6, 5});
+  Drive drive(bot);
+  drive.bench().ask({7, 5});
+  drive.tick();
+  drive.tick();
+  Shown shown;
+  drive.module().show(shown);
+  drive.module().show(shown);
+  EXPECT_EQ(shown.fields, 1);
+  ASSERT_EQ(shown.attempts.size(), 1u);
+  EXPECT_EQ(shown.attempts[0], (std::vector<Vector2>{{2.75, 2.75}, {3.25, 2.75}}));  // from where it stood to the cell
+  for (int i = 0; i < 5; ++i) drive.tick();
+  drive.module().show(shown);
+  EXPECT_EQ(shown.fields, 2);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "ganglion/acting/dynamic_map_router/dynamic_map_router.h"
+#include "ganglion/base/hash.h"
 #include "ganglion/math/functions.h"
 #include "ganglion/units/angle.h"
 
@@ -40,7 +41,19 @@ Extent extent_of(const grid::RiskMap& map, CellIndex robot) {
   return extent;
 }
 
-struct Layers {
+constexpr std::array<Class, 2> kLabels = {
+    {{0.5F, Role::Free, {"empty cell", "celda vacía"}}, {1, Role::Solid, {"occupied cell", "celda ocupada"}}}};
+constexpr std::array<Class, 2> kNatures = {
+    {{0, Role::Moving, {"dynamic cell", "celda dinámica"}}, {1, Role::Plain, {"static cell", "celda estática"}}}};
+constexpr std::array<Class, 2> kInhibitions = {
+    {{0, Role::Free, {"not inhibited", "no inhibida"}}, {1, Role::Danger, {"inhibited cell", "celda inhibida"}}}};
+
+Vector2 centre(CellIndex cell, double cell_m) noexcept {
+  return {(cell.column + 0.5) * cell_m, (cell.row + 0.5) * cell_m};
+}
+
+/// What the layers of the map hold, cell by cell.
+struct Values {
   std::vector<float> label, risk, is_static, inhibited;
 
   void add(const Cell* cell, std::uint32_t now) {
@@ -94,26 +107,71 @@ std::span<const Command> DynamicMapRouter::plan() const noexcept {
 
 void DynamicMapRouter::show(Exhibition& exhibition) const {
   if (!cell_ || map_.tiles().empty()) return;
+  show_map(exhibition);
+  show_route(exhibition);
+  show_attempts(exhibition);
+}
+
+void DynamicMapRouter::show_map(Exhibition& exhibition) const {
   const Extent extent = extent_of(map_, *cell_);
   if (extent.columns() <= 0 || extent.rows() <= 0) return;
-  Layers layers;
+  std::uint64_t generation = combine(map_.revision(), static_cast<std::uint64_t>(map_.explored()));
+  generation = combine(generation, map_.next_lapse(now_).value_or(0));
+  for (const CellIndex corner : {extent.low, extent.high}) {
+    generation = combine(generation, static_cast<std::uint64_t>(corner.column));
+    generation = combine(generation, static_cast<std::uint64_t>(corner.row));
+  }
+  if (!exhibition.lacks("map", generation)) return;
+  Values values;
   for (std::int32_t row = extent.low.row; row < extent.high.row; ++row) {
     for (std::int32_t column = extent.low.column; column < extent.high.column; ++column) {
-      layers.add(map_.find({column, row}), now_);
+      values.add(map_.find({column, row}), now_);
     }
   }
-  const std::array<GridLayer, 4> named = {
-      {{"label", layers.label}, {"risk", layers.risk}, {"static", layers.is_static}, {"inhibited", layers.inhibited}}};
+  const std::array<Layer, 4> layers = {
+      {{.name = "label", .title = {"cells", "celdas"}, .scale = {.classes = kLabels}, .values = values.label},
+       {.name = "risk", .title = {"risk", "riesgo"}, .values = values.risk},
+       {.name = "static",
+        .title = {"nature", "naturaleza"},
+        .scale = {.classes = kNatures},
+        .values = values.is_static},
+       {.name = "inhibited",
+        .title = {"inhibition", "inhibición"},
+        .scale = {.classes = kInhibitions},
+        .values = values.inhibited}}};
   const double cell_m = config_.cell_m;
-  exhibition.grid(
-      {"map", {extent.low.column * cell_m, extent.low.row * cell_m}, cell_m, extent.columns(), extent.rows(), named});
-  const auto centre = [cell_m](CellIndex c) { return Vector2{(c.column + 0.5) * cell_m, (c.row + 0.5) * cell_m}; };
+  exhibition.field({.name = "map",
+                    .title = {"Learned map", "Mapa aprendido"},
+                    .origin = {extent.low.column * cell_m, extent.low.row * cell_m},
+                    .cell = {cell_m, cell_m},
+                    .columns = extent.columns(),
+                    .rows = extent.rows(),
+                    .layers = layers,
+                    .generation = generation});
+}
+
+void DynamicMapRouter::show_route(Exhibition& exhibition) const {
   std::vector<Vector2> points;
   if (!plan().empty()) {
-    points.push_back(centre(*cell_));
-    for (const grid::RouteStep& step : router_.route().subspan(next_)) points.push_back(centre(step.to));
+    points.push_back(centre(*cell_, config_.cell_m));
+    for (const grid::RouteStep& step : router_.route().subspan(next_)) {
+      points.push_back(centre(step.to, config_.cell_m));
+    }
   }
-  exhibition.path("route", points);
+  const std::array<Shape, 1> route = {Shape{.role = Role::Plan, .points = points}};
+  const std::size_t shapes = points.empty() ? 0 : 1;
+  exhibition.marks({.name = "route", .title = {"Route", "Ruta"}, .shapes = std::span(route).first(shapes)});
+}
+
+void DynamicMapRouter::show_attempts(Exhibition& exhibition) const {
+  std::vector<std::array<Vector2, 2>> lines;
+  const std::size_t count = std::min(attempts_, tried_.size());
+  for (const Tried& one : std::span(tried_).first(count)) {
+    lines.push_back({centre(one.from, config_.cell_m), centre(one.to, config_.cell_m)});
+  }
+  std::vector<Shape> shapes;
+  for (const auto& line : lines) shapes.push_back({.role = Role::Tried, .points = line});
+  exhibition.marks({.name = "attempts", .title = {"Failed attempts", "Intentos fallidos"}, .shapes = shapes});
 }
 
 }  // namespace ganglion

@@ -74,6 +74,7 @@ class FaultyApplication final : public Application {
   void sense(std::span<SenseFrame> frames) noexcept override;
   void step(std::span<const ActFrame> frames, double step_s) noexcept override;
   const Error* failure() const noexcept override { return inner_.failure(); }
+  void show(Exhibition& to) const override { inner_.show(to); }
 
  private:
   explicit FaultyApplication(Application& inner) : inner_(inner) {}

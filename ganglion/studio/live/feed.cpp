@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ganglion/record/exhibit/exhibit_codec.h"
 #include "ganglion/studio/live/messages.h"
 
 namespace ganglion::studio {
@@ -57,6 +58,10 @@ void LiveFeed::write_json(std::string_view topic, std::string_view schema_name, 
   } else {
     kept_.push_back(std::move(message));
   }
+}
+
+void LiveFeed::write_exhibit(std::string_view topic, double time_s, std::string_view bytes) {
+  write_json(topic, kExhibitSchema, time_s, bytes);
 }
 
 bool LiveFeed::push(Message& message) {

@@ -44,6 +44,8 @@ class LiveFeed final : public RunSink {
   int add_table(std::string_view topic, std::span<const SignalColumn> columns) override;
   void write_row(int table, std::uint32_t tick, double time_s, std::span<const double> values) override;
   void write_json(std::string_view topic, std::string_view schema_name, double time_s, std::string_view json) override;
+  void write_exhibit(std::string_view topic, double time_s, std::string_view bytes) override;
+  bool archives() const noexcept override { return false; }
   /// All tables are there: rows may be read from now on. Before the first tick.
   void arm();
   /// At the end: hands over what is still kept; true when nothing is left.

@@ -39,7 +39,7 @@ class GoTo final : public Task {
   static Result<void> judge(GoToConfig& config);
 
   Limits limits(std::size_t channel) const noexcept override;
-  LedgerForm form() const override { return GoalLedger::form(); }
+  LedgerForm form() const override { return GoalLedger::form(config_.cell_m); }
   /// Fails with BadParameter without ground, body or a truth that says where the robot is; with TooLarge where the grid
   /// has too many cells.
   Result<void> settle(const TaskSetting& setting) override;

@@ -29,6 +29,7 @@ constexpr std::array kColumns = {
 };
 
 /// Of the values of `outcome`, in their order.
+constexpr std::array kRoles = {Role::Goal, Role::Reached, Role::GivenUp, Role::GivenUp, Role::Past};
 constexpr std::array kOutcomes = {
     Text{"set", "fijado"},           Text{"reached", "alcanzado"},
     Text{"withdrawn", "retirado"},   Text{"timed_out", "fuera de tiempo"},
@@ -39,9 +40,10 @@ const std::vector<LedgerColumn>& list() {
   static const std::vector<LedgerColumn> kList = [] {
     std::vector<LedgerColumn> columns;
     for (const Column& one : kColumns) {
-      columns.push_back({std::string(one.name), std::string(one.unit), {}});
+      columns.push_back({std::string(one.name), std::string(one.unit), {}, {}});
       if (one.name != "outcome") continue;
       for (const Text& word : kOutcomes) columns.back().words.push_back(say({"{}", "{}"}, word));
+      columns.back().roles.assign(kRoles.begin(), kRoles.end());
     }
     return columns;
   }();
@@ -50,10 +52,10 @@ const std::vector<LedgerColumn>& list() {
 
 }  // namespace
 
-LedgerForm GoalLedger::form() {
+LedgerForm GoalLedger::form(double cell_m) {
   constexpr Text kLine{"goal {#} at cell {goal_column}, {goal_row}: {outcome}",
                        "objetivo {#} en la celda {goal_column}, {goal_row}: {outcome}"};
-  return {"", list(), say({"{}", "{}"}, kLine)};
+  return {"", list(), say({"{}", "{}"}, kLine), {"Goals", "Objetivos"}, cell_m};
 }
 
 std::span<const LedgerColumn> GoalLedger::columns() const noexcept { return list(); }

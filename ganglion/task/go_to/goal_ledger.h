@@ -39,7 +39,8 @@ struct GoalRecord {
 /// The goals set so far, in order, as rows of named numbers.
 class GoalLedger final : public Ledger {
  public:
-  static LedgerForm form();
+  /// In cells of that size.
+  static LedgerForm form(double cell_m);
 
   std::span<const LedgerColumn> columns() const noexcept override;
   std::size_t rows() const noexcept override { return records_.size(); }
