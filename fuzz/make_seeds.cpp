@@ -7,6 +7,8 @@
 #include "ganglion/base/file.h"
 #include "ganglion/link/fault/frame_cutter.h"
 #include "ganglion/link/testing/bench.h"
+#include "ganglion/record/exhibit/testing/shows_all.h"
+#include "ganglion/record/exhibit_recorder.h"
 #include "ganglion/record/mcap/fields.h"
 #include "ganglion/record/run_recorder.h"
 
@@ -137,6 +139,9 @@ void seed_mcap(const fs::path& folder) {
     recorder->write_json("/robot0/pose", "foxglove.PoseInFrame", 0.1 * tick, "{}");
     if (tick == 2) recorder->flush();
   }
+  ExhibitRecorder exhibits(*recorder);
+  ShowsAll all;
+  for (all.stage = 0; all.stage < 3; ++all.stage) exhibits.show(all, {0, "all"}, 0.2 * all.stage);
   good = good && recorder->finish({.digest = "00", .verdict = Verdict::Succeeded, .reason = {"goal", "meta"}});
 }
 

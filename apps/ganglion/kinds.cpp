@@ -3,14 +3,22 @@
 #include "ganglion/base/text.h"
 #include "ganglion/descriptor/kind_page.h"
 #include "ganglion/descriptor/kinds_json.h"
+#include "ganglion/plot/pictures/pictures.h"
 #include "language.h"
 #include "say.h"
 
 namespace ganglion {
 namespace {
 
+/// Of components, of what surrounds them, of what judges and of what draws a run.
+std::vector<const Descriptor*> every_kind() {
+  std::vector<const Descriptor*> kinds = all_descriptors();
+  for (const plot::PictureKind* kind : plot::picture_kinds()) kinds.push_back(&kind->descriptor);
+  return kinds;
+}
+
 int list_kinds() {
-  for (const Descriptor* kind : all_descriptors()) {
+  for (const Descriptor* kind : every_kind()) {
     fmt::print("{:<12} {:<26} {:<8} {}\n", name_of(kind->component_class), kind->name, kind->paper_name,
                kind->summary.in(language()));
   }
@@ -19,7 +27,7 @@ int list_kinds() {
 
 std::vector<const Descriptor*> matching(const std::string& name) {
   std::vector<const Descriptor*> found;
-  for (const Descriptor* kind : all_descriptors()) {
+  for (const Descriptor* kind : every_kind()) {
     if (name.empty() || kind->name == name || kind->paper_name == name) found.push_back(kind);
   }
   return found;
@@ -49,7 +57,7 @@ void add_kinds(CLI::App& program, int& code) {
     const auto found = matching(arguments->kind);
     if (found.empty()) {
       std::vector<std::string> names;
-      for (const Descriptor* kind : all_descriptors()) names.emplace_back(kind->name);
+      for (const Descriptor* kind : every_kind()) names.emplace_back(kind->name);
       code = complain(Error{
           ErrorCode::UnknownKey,
           say({"\"{}\" is no kind{}", "\"{}\" no es un tipo{}"}, arguments->kind, suggestion(arguments->kind, names)),

@@ -9,9 +9,9 @@
 
 namespace ganglion::plot {
 
-/// Draws every picture of a run as SVG, PNG and PDF into `folder`, which is made where it is missing; the files
-/// written. Fails with TooLarge or Unreadable.
+/// Draws every picture of a run as SVG, PNG and PDF into `folder`, which is made where it is missing; of `only` the kinds
+/// of these names where it has any. The files written. Fails with TooLarge or Unreadable.
 Result<std::vector<std::filesystem::path>> draw_all(const RunView& run, const std::filesystem::path& folder,
-                                                    Language language);
+                                                    Language language, std::span<const std::string> only = {});
 
 }  // namespace ganglion::plot

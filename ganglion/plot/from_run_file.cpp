@@ -7,13 +7,15 @@
 #include <nlohmann/json.hpp>
 
 #include "ganglion/plot/json_view.h"
+#include "ganglion/plot/old_run_file.h"
+#include "ganglion/record/exhibit/exhibit_codec.h"
 
 namespace ganglion::plot {
 namespace {
 
 constexpr std::size_t kMaxRobots = 10000;
 constexpr std::size_t kMaxEvents = 20000;
-constexpr std::size_t kMaxMapBytes = std::size_t{256} << 20;
+constexpr std::size_t kMaxExhibits = 2000;
 
 /// Reads one run; counts what it could not make sense of.
 class Reader {
@@ -31,6 +33,7 @@ class Reader {
     each("/log", [&](const Json& message, double time_s) { read_log(message, time_s); });
     for (std::size_t i = 0; i < kMaxRobots; ++i)
       if (!read_robot(i, described.value_or(Json()))) break;
+    view_.exhibits = exhibits_of(file_, unread_);
     for (const Sentence& damage : file_.damages) view_.events.push_back({view_.duration_s, Severity::Error, damage});
     if (unread_ > 0)
       view_.events.push_back({view_.duration_s, Severity::Warning,
@@ -111,7 +114,6 @@ class Reader {
       for (const Json& coordinator : *coordinators)
         if (auto decided = coordination_from(coordinator, robot.signals))
           robot.coordinations.push_back(std::move(*decided));
-    read_topics(robot, fmt::format("/robot{}/", number));
     view_.robots.push_back(std::move(robot));
     return true;
   }
@@ -150,60 +152,30 @@ class Reader {
     for (const double touching : column("truth.touching")) robot.track.touching.push_back(touching > 0);
   }
 
-  /// Maps, routes and goals of one robot.
-  void read_topics(RobotView& robot, const std::string& prefix) {
-    for (auto topic = file_.json.lower_bound(prefix); topic != file_.json.end() && topic->first.starts_with(prefix);
-         ++topic) {
-      const std::string name = topic->first.substr(prefix.size());
-      if (name.starts_with("map/")) read_map(robot, topic->first, name.substr(4));
-      if (name.starts_with("route/"))
-        each(topic->first, [&](const Json& message, double time_s) {
-          robot.routes.push_back({name.substr(6), time_s, points_in(message, "points")});
-        });
-    }
-    std::ranges::stable_sort(robot.routes, {}, &Route::time_s);
-    each(prefix + "goals", [&](const Json& message, double time_s) { read_goal(robot, message, time_s); });
-  }
-
-  void read_map(RobotView& robot, const std::string& topic, const std::string& component) {
-    MapView map{component, 0, {}};
-    each(topic, [&](const Json& message, double time_s) {
-      auto grid = grid_from(message, time_s);
-      if (!grid || (map.cell_m > 0 && grid->cell_m != map.cell_m) || map_bytes_ > kMaxMapBytes) {
-        ++unread_;
-        return;
-      }
-      map.cell_m = grid->cell_m;
-      map_bytes_ += 4 * grid->frame.label.size();
-      map.frames.push_back(std::move(grid->frame));
-    });
-    robot.maps.push_back(std::move(map));
-  }
-
-  static void read_goal(RobotView& robot, const Json& message, double time_s) {
-    const double index = number_in(message, "index", -1);
-    const std::string state = text_in(message, "state");
-    if (!(index >= 0 && index <= static_cast<double>(robot.goals.size()) && index < 100000)) return;
-    const auto i = static_cast<std::size_t>(index);
-    if (i == robot.goals.size())
-      robot.goals.push_back({.place = {number_in(message, "x_m"), number_in(message, "y_m")}, .set_s = time_s});
-    if (state == "set") return;
-    GoalView& goal = robot.goals[i];
-    goal.ended_s = time_s;
-    goal.state = state == "reached"     ? GoalState::Reached
-                 : state == "withdrawn" ? GoalState::Withdrawn
-                 : state == "replaced"  ? GoalState::Replaced
-                                        : GoalState::TimedOut;
-    goal.reason = text_in(message, "reason");
-  }
-
   const RunFile& file_;
   RunView view_;
   std::size_t unread_ = 0;
-  std::size_t map_bytes_ = 0;
 };
 
 }  // namespace
+
+std::vector<ExhibitTrack> exhibits_of(const RunFile& file, std::size_t& unread) {
+  if (file.exhibits.empty()) return old_exhibits(file, unread);
+  std::vector<ExhibitTrack> tracks;
+  for (const auto& [topic, messages] : file.exhibits) {
+    auto track = track_of(topic);
+    if (!track || tracks.size() >= kMaxExhibits) {
+      unread += messages.size();
+      continue;
+    }
+    for (const ExhibitMessage& message : messages) {
+      auto state = decode_exhibit(message.bytes);
+      if (!state || !track->add(message.time_s, std::move(*state))) ++unread;
+    }
+    if (!track->states.empty()) tracks.push_back(std::move(*track));
+  }
+  return tracks;
+}
 
 RunView from_run_file(const RunFile& file) { return Reader(file).read(); }
 

@@ -8,6 +8,7 @@
 #include "ganglion/plot/draw_all.h"
 #include "ganglion/plot/json_view.h"
 #include "ganglion/random/draws.h"
+#include "ganglion/record/exhibit/exhibit_codec.h"
 #include "ganglion/record/run_recorder.h"
 
 namespace ganglion::plot {
@@ -119,28 +120,13 @@ TEST(ViewOfARunFile, FollowsTheMovers) {
   EXPECT_EQ(scene.movers[0].poses[1].position, (Vector2{2, 1}));
 }
 
-TEST(ViewOfARunFile, ReadsTheLayersOfAGrid) {
-  const RunView run = from_run_file(sample_file());
-  ASSERT_EQ(run.robots[0].maps.size(), 1u);
-  const MapView& map = run.robots[0].maps[0];
-  EXPECT_EQ(map.component, "router");
-  EXPECT_EQ(map.cell_m, 0.3);
-  const MapFrame& frame = map.frames.at(0);
-  EXPECT_EQ(frame.origin, (Vector2{-1, 2}));
-  EXPECT_EQ(frame.columns, 2);
-  EXPECT_EQ(frame.rows, 2);
-  EXPECT_EQ(frame.label, (std::vector<std::uint8_t>{1, 2, 0, 1}));
-  EXPECT_EQ(frame.risk, (std::vector<std::uint8_t>{0, 255, 0, 51}));
-  EXPECT_EQ(frame.inhibited, (std::vector<std::uint8_t>{0, 7, 0, 0}));
-}
-
-TEST(ViewOfARunFile, ReadsRoutesGoalsAndEvents) {
-  const RunView run = from_run_file(sample_file());
-  EXPECT_EQ(run.robots[0].routes.at(0).points, (std::vector<Vector2>{{1, 2}, {3, 4}}));
-  const GoalView& goal = run.robots[0].goals.at(0);
-  EXPECT_EQ(goal.state, GoalState::Withdrawn);
-  EXPECT_EQ(goal.ended_s, 0.1);
-  EXPECT_EQ(goal.reason, "walled_in");
+TEST(ViewOfARunFile, ReadsWhatWasShownInsteadOfWhatOldFilesHave) {
+  RunFile file = sample_file();
+  file.exhibits["/robot0/exhibit/all/marks/goals"] = {{0.1, encode({{"Goals", "Objetivos"}, shown::Marks{}})}};
+  const RunView run = from_run_file(file);
+  ASSERT_EQ(run.exhibits.size(), 1u);
+  EXPECT_EQ(run.exhibits[0].owner, (ExhibitOwner{0, "all"}));
+  EXPECT_EQ(run.exhibits[0].title().es, "Objetivos");
   ASSERT_EQ(run.events.size(), 1u);
   EXPECT_EQ(run.events[0].severity, Severity::Warning);
   EXPECT_EQ(run.events[0].text, (Sentence{"router: withdrawn", ""}));
@@ -152,17 +138,10 @@ TEST(ViewOfARunFile, HasEventsInBothLanguagesWhereTheFileHas) {
   EXPECT_EQ(from_run_file(file).events.at(0).text, (Sentence{"router: withdrawn", "router: retirada"}));
 }
 
-TEST(ViewOfARunFile, TakesAReplacedGoalForNeitherReachedNorGivenUp) {
-  RunFile file = sample_file();
-  std::string& outcome = file.json["/robot0/goals"].messages.back().text;
-  outcome.replace(outcome.find("withdrawn"), std::string_view("withdrawn").size(), "replaced");
-  EXPECT_EQ(from_run_file(file).robots[0].goals.at(0).state, GoalState::Replaced);
-}
-
 TEST(ViewOfARunFile, CountsWhatItCannotRead) {
   RunFile file = sample_file();
   file.json["/log"].messages.push_back({0, "{"});
-  file.json["/robot0/map/router"].messages.push_back({0.2, R"({"data":"!!"})"});
+  file.exhibits["/robot0/exhibit/a/marks/b"] = {{0.2, "no such message"}};
   const RunView run = from_run_file(file);
   ASSERT_EQ(run.events.size(), 2u);
   EXPECT_NE(run.events[1].text.en.find("2 messages"), std::string::npos);
@@ -179,31 +158,8 @@ TEST(ViewOfARunFile, SurvivesMutatedMessages) {
           message.text[at] = static_cast<char>(32 + draws.uniform() * 95);
         }
     const RunView run = from_run_file(file);
-    for (const RobotView& robot : run.robots) failed_attempts(robot);
     bounds_of(run);
   }
-}
-
-TEST(Grid, IsRefusedWhereItsSizeIsNotThatOfItsData) {
-  auto grid = *parse_object(kGrid);
-  EXPECT_TRUE(grid_from(grid, 0));
-  for (const auto& [key, value] : {std::pair{"column_count", 1e18},
-                                   {"column_count", 0.0},
-                                   {"row_stride", 3.0},
-                                   {"row_stride", 1e300},
-                                   {"cell_stride", 0.0}}) {
-    auto broken = grid;
-    broken[key] = value;
-    EXPECT_FALSE(grid_from(broken, 0)) << key << " " << value;
-  }
-}
-
-TEST(Grid, TellsDynamicFromALayerOfStaticCells) {
-  auto grid = *parse_object(kGrid);
-  grid["fields"][2]["name"] = "static";
-  const auto frame = grid_from(grid, 0);
-  ASSERT_TRUE(frame);
-  EXPECT_EQ(frame->frame.dynamic, (std::vector<std::uint8_t>{1, 0, 0, 1}));  // the unexplored cell is neither
 }
 
 TEST(DrawAll, WritesEveryPictureInThreeFormatsFromARecordedRun) {

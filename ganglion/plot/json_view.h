@@ -19,7 +19,6 @@ inline constexpr std::size_t kMaxShapes = 20000;
 inline constexpr std::size_t kMaxBlocks = 200000;
 inline constexpr std::size_t kMaxPoints = 100000;  ///< Of one outline or route.
 inline constexpr int kMaxMapSide = 16384;          ///< Cells of a scanned map, each way.
-inline constexpr std::size_t kMaxGridCells = std::size_t{1} << 22;
 
 /// The object in `text`; none if it is anything else.
 std::optional<Json> parse_object(std::string_view text);
@@ -32,13 +31,6 @@ Pose2 pose_in(const Json& object, const char* key);
 
 /// A ganglion.Scene, as ganglion/sim/world/scene.h describes it; movers without their later places.
 Scene scene_from(const Json& scene);
-
-/// A foxglove.Grid at `time_s` and the size of its cells; none if its layers do not fit its size or are too large.
-struct GridFrame {
-  MapFrame frame;
-  double cell_m = 0;
-};
-std::optional<GridFrame> grid_from(const Json& grid, double time_s);
 
 /// What a coordinator decided, from its entry {"id", "candidates"} in ganglion.Run and the recorded signals; none where
 /// these do not tell.

@@ -18,6 +18,12 @@ std::string worded(std::string_view tag, Key key, plot::Language language, std::
                      std::string_view(key.entry().key), safe(say(key, language)));
 }
 
+std::string recorded(std::string_view tag, const Sentence& said, plot::Language language, std::string_view attributes) {
+  return fmt::format("<{0}{1}{2} lang=\"{3}\" data-en=\"{4}\" data-es=\"{5}\">{6}</{0}>", tag,
+                     attributes.empty() ? "" : " ", attributes, plot::tag_of(language), safe(said.en), safe(said.es),
+                     safe(said.in(language)));
+}
+
 std::string labelled(Key key, plot::Language language) {
   return fmt::format("data-label=\"{}\" aria-label=\"{}\"", std::string_view(key.entry().key),
                      safe(say(key, language)));

@@ -13,6 +13,10 @@ std::string safe(std::string_view text);
 /// <tag attributes data-word="key">word</tag>: an element whose word follows the language of the page.
 std::string worded(std::string_view tag, Key key, plot::Language language, std::string_view attributes = "");
 
+/// An element that says what was recorded, in the page's language, and in the other where the reader changes it.
+std::string recorded(std::string_view tag, const Sentence& said, plot::Language language,
+                     std::string_view attributes = "");
+
 /// `data-label="key" aria-label="word"`: an accessible name that follows the language of the page.
 std::string labelled(Key key, plot::Language language);
 

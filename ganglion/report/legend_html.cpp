@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include "ganglion/plot/canvas/colour.h"
@@ -20,10 +21,6 @@ std::string sample(std::string_view shapes) {
 
 std::string row(std::string_view shapes, Key key, Language language) {
   return "<li>" + sample(shapes) + worded("span", key, language) + "</li>\n";
-}
-
-std::string cell(std::string_view mark) {
-  return fmt::format("<rect x=\"8\" y=\"1\" width=\"18\" height=\"18\" fill=\"#35608d\"/>{}", mark);
 }
 
 /// Every behaviour that a coordinator chooses from, in the look of its trail.
@@ -44,7 +41,11 @@ std::string behaviours(const plot::RunView& run) {
   return html;
 }
 
-std::string map_rows(Language language) {
+std::string said_row(std::string_view shapes, const Sentence& words, Language language) {
+  return "<li>" + sample(shapes) + recorded("span", words, language) + "</li>\n";
+}
+
+std::string scale_sample() {
   std::string scale;
   for (int i = 0; i < 32; ++i) {
     const plot::Colour c = plot::viridis(i / 31.0);
@@ -52,12 +53,90 @@ std::string map_rows(Language language) {
         fmt::format("<rect x=\"{}\" y=\"4\" width=\"1.2\" height=\"12\" fill=\"#{:02x}{:02x}{:02x}\"/>", i + 1,
                     static_cast<int>(c.red * 255), static_cast<int>(c.green * 255), static_cast<int>(c.blue * 255));
   }
-  return row(scale, "risk_scale", language) +
-         row(cell("<path d=\"M11 16L23 4\" stroke=\"#fff\" stroke-width=\"1.6\"/>"), "occupied", language) +
-         row(cell("<circle cx=\"17\" cy=\"10\" r=\"3\" fill=\"#fff\"/>"), "dynamic_cell", language) +
-         row(cell("<path d=\"M11 4L23 16M11 16L23 4\" stroke=\"#fff\" stroke-width=\"4.5\"/>"
-                  "<path d=\"M11 4L23 16M11 16L23 4\" stroke=\"var(--contact)\" stroke-width=\"2\"/>"),
-             "inhibited", language);
+  return scale;
+}
+
+std::string sign_sample(const RoleLook& look) {
+  const std::string cell = fmt::format(
+      "<rect x=\"8\" y=\"1\" width=\"18\" height=\"18\" fill=\"var(--role-{})\" stroke=\"var(--line)\"/>", look.name);
+  switch (look.sign) {
+    case Sign::None:
+      return cell;
+    case Sign::Hatch:
+      return cell + "<path d=\"M11 16L23 4\" stroke=\"#fff\" stroke-width=\"1.6\"/>";
+    case Sign::Dot:
+      return cell + "<circle cx=\"17\" cy=\"10\" r=\"3\" fill=\"#fff\"/>";
+    case Sign::Cross:
+      break;
+  }
+  return cell + "<path d=\"M11 4L23 16M11 16L23 4\" stroke=\"#fff\" stroke-width=\"2.5\"/>";
+}
+
+/// Scales and classes of every layer, each name once.
+std::string field_rows(const plot::RunView& run, Language language) {
+  std::string html;
+  std::set<std::string> seen;
+  for (const ExhibitTrack& track : run.exhibits) {
+    const auto field = field_at(track, std::numeric_limits<double>::infinity());
+    if (!field || field->frame.empty()) continue;
+    for (const shown::Layer& layer : field->layers) {
+      if (!seen.insert(track.name + "/" + layer.name).second || seen.size() > 60) continue;
+      if (layer.classes.empty()) {
+        const Sentence unit = Sentence::quoted(layer.unit.empty() ? "" : " " + layer.unit);
+        html += said_row(scale_sample(),
+                         say({"{}, {:g} to {:g}{}", "{}, de {:g} a {:g}{}"}, layer.title, layer.low, layer.high, unit),
+                         language);
+      }
+      for (const shown::Class& one : layer.classes)
+        html += said_row(sign_sample(look_of(one.role)), one.title, language);
+    }
+  }
+  return html;
+}
+
+std::string shape_sample(Form form, const RoleLook& look) {
+  const std::string dash =
+      look.dash[0] > 0 ? fmt::format(" stroke-dasharray=\"{} {}\"", look.dash[0], look.dash[1]) : "";
+  const std::string line = fmt::format("stroke=\"var(--role-{})\" stroke-width=\"2.2\"{}", look.name, dash);
+  const std::string fill = look.filled ? fmt::format("fill=\"var(--role-{})\"", look.name) : "fill=\"none\"";
+  switch (form) {
+    case Form::Polygon:
+      return fmt::format("<rect x=\"6\" y=\"4\" width=\"22\" height=\"12\" {} {}/>", fill, line);
+    case Form::Disc:
+      return fmt::format(
+          "<circle cx=\"17\" cy=\"10\" r=\"7\" {} {}/>{}", fill, look.filled ? "stroke=\"#22272e\"" : line,
+          look.sign == Sign::Cross ? "<path d=\"M13 6L21 14M13 14L21 6\" stroke=\"#22272e\" stroke-width=\"1.8\"/>"
+                                   : "");
+    case Form::Sector:
+      return fmt::format("<path d=\"M4 10L28 2a14 14 0 0 1 0 16z\" fill=\"none\" {}/>", line);
+    case Form::Point:
+      return fmt::format("<circle cx=\"17\" cy=\"10\" r=\"4\" fill=\"var(--role-{})\"/>", look.name);
+    case Form::Polyline:
+    case Form::Label:
+      break;
+  }
+  return fmt::format("<path d=\"M1 10H33\" {}/>", line);
+}
+
+/// One row for each role and form that ever was shown.
+std::string shape_rows(const plot::RunView& run, Language language) {
+  std::set<std::pair<Role, Form>> seen;
+  for (const ExhibitTrack& track : run.exhibits) {
+    for (const shown::Exhibit& state : track.states) {
+      const auto* marks = std::get_if<shown::Marks>(&state.form);
+      if (marks == nullptr) continue;
+      for (const shown::Shape& shape : marks->shapes) {
+        if (shape.form != Form::Label) seen.insert({shape.role, shape.form});
+      }
+    }
+  }
+  std::string html;
+  for (const auto& [role, form] : seen) {
+    const RoleLook& look = look_of(role);
+    const Sentence words{std::string(look.word.in(Language::English)), std::string(look.word.in(Language::Spanish))};
+    html += said_row(shape_sample(form, look), words, language);
+  }
+  return html;
 }
 
 std::string body_shape(std::string_view edge, int width) {
@@ -94,10 +173,6 @@ Content content_of(const plot::RunView& run) {
   Content content;
   for (const plot::RobotView& robot : run.robots) {
     content.sensors = content.sensors || !robot.sensors.empty();
-    content.maps = content.maps || std::ranges::any_of(robot.maps, [](const auto& map) { return !map.frames.empty(); });
-    content.routes = content.routes || !robot.routes.empty();
-    content.goals = content.goals || !robot.goals.empty();
-    content.attempts = content.attempts || !plot::failed_attempts(robot).empty();
     content.behaviours = content.behaviours || !robot.coordinations.empty();
   }
   content.movers = !run.scene.movers.empty();
@@ -132,15 +207,7 @@ std::string legend_html(const plot::RunView& run, Language language) {
         row("<path d=\"M4 10L28 2a14 14 0 0 1 0 16z\" fill=\"none\" stroke=\"var(--sonar)\" stroke-dasharray=\"3 4\"/>",
             "cone_empty", language);
   }
-  if (content.goals)
-    html += row("<circle cx=\"17\" cy=\"10\" r=\"7\" fill=\"var(--goal)\" stroke=\"#22272e\"/>", "goal", language);
-  if (content.routes)
-    html += row("<path d=\"M1 10H33\" stroke=\"var(--route)\" stroke-width=\"2\" stroke-dasharray=\"6 4\"/>", "route",
-                language);
-  if (content.attempts)
-    html += row("<path d=\"M1 10H33\" stroke=\"var(--attempt)\" stroke-width=\"2.4\" stroke-dasharray=\"2 3\"/>",
-                "attempts", language);
-  if (content.maps) html += map_rows(language);
+  html += shape_rows(run, language) + field_rows(run, language);
   return html + ground_rows(content, language) + "</ul></details>\n";
 }
 

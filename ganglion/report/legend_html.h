@@ -10,10 +10,6 @@ namespace ganglion::report {
 /// What there is in a run to be shown or switched off.
 struct Content {
   bool sensors = false;
-  bool maps = false;
-  bool routes = false;
-  bool goals = false;
-  bool attempts = false;
   bool movers = false;
   bool behaviours = false;
   bool walls = false;

@@ -5,8 +5,8 @@
 #include "ganglion/base/base64.h"
 #include "ganglion/plot/testing/markup.h"
 #include "ganglion/report/comparison.h"
+#include "ganglion/report/field_states.h"
 #include "ganglion/report/html.h"
-#include "ganglion/report/map_changes.h"
 #include "ganglion/report/packed.h"
 
 namespace ganglion::report {
@@ -18,42 +18,57 @@ TEST(Packed, PutsTheLowByteFirst) {
   EXPECT_EQ(pack_f32(std::vector<double>{1}), base64(std::vector<std::uint8_t>{0, 0, 0x80, 0x3f}));  // IEEE 754: 1.0f
 }
 
-plot::MapFrame frame(double time_s, Vector2 origin, int columns, std::vector<std::uint8_t> risk) {
-  plot::MapFrame result{time_s, origin, columns, 1, std::vector<std::uint8_t>(risk.size(), 1), risk, {}, {}};
-  return result;
+shown::Exhibit field(Vector2 origin, std::vector<std::uint8_t> cells) {
+  shown::Field one;
+  one.frame = "world";
+  one.origin = origin;
+  one.columns = static_cast<int>(cells.size());
+  one.rows = 1;
+  one.layers.resize(1);
+  one.cells = {std::move(cells)};
+  return {{}, std::move(one)};
 }
 
-TEST(MapChanges, AreWhatDiffersFromTheFrameBefore) {
-  const plot::MapView map{
-      "router", 0.5, {frame(0, {0, 0}, 2, {10, 20}), frame(1, {0, 0}, 2, {10, 30}), frame(2, {0, 0}, 2, {10, 30})}};
-  const MapChanges changes = changes_of(map);
-  EXPECT_EQ(changes.columns, 2);
-  ASSERT_EQ(changes.frames.size(), 2u);  // the third frame is as the second
-  EXPECT_EQ(changes.frames[0].changes, (std::vector<std::uint32_t>{0, 10 | 1 << 16, 1, 20 | 1 << 16}));
-  EXPECT_EQ(changes.frames[1].changes, (std::vector<std::uint32_t>{1, 30 | 1 << 16}));
+ExhibitTrack track_with(const std::vector<shown::Exhibit>& states) {
+  ExhibitTrack track = *track_of("/robot0/exhibit/router/field/map");
+  double time_s = 0;
+  for (const shown::Exhibit& state : states) EXPECT_TRUE(track.add(time_s++, state));
+  return track;
 }
 
-TEST(MapChanges, CoverAMapThatGrewToTheLeft) {
-  const plot::MapView map{"router", 0.5, {frame(0, {0, 0}, 1, {10}), frame(1, {-1, 0}, 3, {5, 6, 10})}};
-  const MapChanges changes = changes_of(map);
-  EXPECT_EQ(changes.columns, 3);
-  EXPECT_EQ(changes.origin, (Vector2{-1, 0}));
-  EXPECT_EQ(changes.frames[0].changes, (std::vector<std::uint32_t>{2, 10 | 1 << 16}));
-  EXPECT_EQ(changes.frames[1].changes, (std::vector<std::uint32_t>{0, 5 | 1 << 16, 1, 6 | 1 << 16}));
+TEST(FieldStates, AreWhatDiffersFromTheStateBefore) {
+  const FieldStates states = states_of(track_with({field({}, {10, 20}), field({}, {10, 30}), field({}, {10, 30})}));
+  ASSERT_EQ(states.states.size(), 2u);  // the third is as the second
+  EXPECT_EQ(std::get<shown::Field>(states.states[0].change).cells[0], (std::vector<std::uint8_t>{10, 20}));
+  const auto& patch = std::get<shown::Patch>(states.states[1].change);
+  EXPECT_EQ(patch.column, 1);
+  EXPECT_EQ(patch.cells[0], (std::vector<std::uint8_t>{30}));
 }
 
-TEST(MapChanges, AreThinnedButEndAsTheMapEnded) {
-  plot::MapView map{"router", 0.5, {}};
-  for (int i = 1; i <= 101; ++i) map.frames.push_back(frame(i, {0, 0}, 1, {static_cast<std::uint8_t>(i)}));
-  const MapChanges changes = changes_of(map, 20);
-  EXPECT_LE(changes.frames.size(), 20u);
-  EXPECT_EQ(changes.frames.back().changes[1] & 255, 101u);
+TEST(FieldStates, AreCutToWhatIsKnown) {
+  const FieldStates states = states_of(track_with({field({1, 2}, {255, 255, 7, 255, 8, 255})}));
+  const auto& cut = std::get<shown::Field>(states.states.at(0).change);
+  EXPECT_EQ(cut.cells[0], (std::vector<std::uint8_t>{7, 255, 8}));
+  EXPECT_EQ(cut.origin, (Vector2{3, 2}));
 }
 
-TEST(MapChanges, AreNoneForAMapOfNothing) {
-  EXPECT_TRUE(changes_of({"router", 0.5, {}}).frames.empty());
-  plot::MapView far{"router", 0.5, {frame(0, {0, 0}, 1, {1}), frame(1, {1e9, 0}, 1, {1})}};
-  EXPECT_TRUE(changes_of(far).frames.empty());  // too large a grid
+TEST(FieldStates, AreThinnedButEndAsTheFieldEnded) {
+  std::vector<shown::Exhibit> all;
+  for (int i = 1; i <= 101; ++i) all.push_back(field({}, {static_cast<std::uint8_t>(i)}));
+  const FieldStates states = states_of(track_with(all), 20);
+  EXPECT_LE(states.states.size(), 21u);
+  EXPECT_EQ(std::get<shown::Patch>(states.states.back().change).cells[0][0], 101);
+}
+
+TEST(FieldStates, AreNoneOfAFieldOfNothing) {
+  EXPECT_TRUE(states_of(track_with({})).states.empty());
+  EXPECT_TRUE(states_of(track_with({field({}, {255, 255})})).states.empty());
+  EXPECT_TRUE(states_of(track_with({field({}, {1, 2, 3})}), 10, 2).states.empty());  // too large
+}
+
+TEST(RunLengths, AreHowManyMoreThanOneAndWhich) {
+  EXPECT_EQ(run_lengths({5, 5, 5, 9}), (std::vector<std::uint8_t>{2, 5, 0, 9}));
+  EXPECT_EQ(run_lengths(std::vector<std::uint8_t>(257, 3)), (std::vector<std::uint8_t>{255, 3, 0, 3}));
 }
 
 TEST(Wilson, GivesThePublishedInterval) {

@@ -4,9 +4,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "ganglion/record/exhibit/exhibit_json.h"
 #include "ganglion/report/dictionary.h"
-#include "ganglion/report/map_changes.h"
 #include "ganglion/report/packed.h"
+#include "ganglion/report/player_exhibits.h"
 
 namespace ganglion::report {
 namespace {
@@ -15,8 +16,6 @@ using plot::RobotView;
 using Json = nlohmann::json;
 
 constexpr std::size_t kMaxCoordinations = 6;
-constexpr std::size_t kMaxRoutePoints = 20000;
-constexpr std::size_t kMaxAttempts = 2000;
 constexpr std::size_t kMaxSceneItems = 20000;
 constexpr std::size_t kMaxPlayerEvents = 1000;
 constexpr std::uint16_t kNoReading = 65535;  // the same as in the player's data.js
@@ -141,56 +140,21 @@ Json coordination_of(const plot::Coordination& coordination, const std::vector<d
           {"shares", pack_u8(shares)}};
 }
 
-Json maps_of(const RobotView& robot) {
-  Json list = Json::array();
-  for (const plot::MapView& map : robot.maps) {
-    const MapChanges changes = changes_of(map);
-    if (changes.frames.empty()) continue;
-    Json frames = Json::array();
-    for (const MapChanges::Frame& frame : changes.frames)
-      frames.push_back({{"t", rounded(frame.time_s)}, {"changes", pack_u32(frame.changes)}});
-    list.push_back({{"x", rounded(changes.origin.x)},
-                    {"y", rounded(changes.origin.y)},
-                    {"cell", map.cell_m},
-                    {"columns", changes.columns},
-                    {"rows", changes.rows},
-                    {"frames", std::move(frames)}});
+/// Columns that exhibits depend on, at the rows that are kept.
+Json columns_of(const plot::RunView& run, std::size_t robot, const Rows& rows) {
+  const plot::SignalTable& signals = run.robots[robot].signals;
+  Json columns = Json::object();
+  for (const std::string& name : columns_needed(run, static_cast<int>(robot))) {
+    const std::size_t column = *signals.find(name);
+    std::vector<double> values;
+    for (std::size_t row = 0; row < signals.rows(); ++row) values.push_back(signals.at(row, column));
+    columns[name] = pack_f32(rows.pick(values));
   }
-  return list;
+  return columns;
 }
 
-Json routes_of(const RobotView& robot) {
-  std::size_t points = 0;
-  for (const plot::Route& route : robot.routes) points += route.points.size();
-  const std::size_t every = points / kMaxRoutePoints + 1;
-  Json list = Json::array();
-  for (std::size_t i = 0; i < robot.routes.size(); i += every)
-    list.push_back({{"component", robot.routes[i].component},
-                    {"t", rounded(robot.routes[i].time_s)},
-                    {"points", flat(robot.routes[i].points)}});
-  return list;
-}
-
-Json goals_of(const RobotView& robot) {
-  Json list = Json::array();
-  for (const plot::GoalView& goal : robot.goals)
-    if (finite(goal.place))
-      list.push_back({{"x", rounded(goal.place.x)},
-                      {"y", rounded(goal.place.y)},
-                      {"set", rounded(goal.set_s)},
-                      {"ended", rounded(goal.ended_s)}});
-  return list;
-}
-
-Json attempts_of(const RobotView& robot) {
-  Json list = Json::array();
-  for (const plot::Attempt& attempt : plot::failed_attempts(robot))
-    if (list.size() < kMaxAttempts && finite(attempt.from) && finite(attempt.to))
-      list.push_back({{"t", rounded(attempt.time_s)}, {"line", flat({attempt.from, attempt.to})}});
-  return list;
-}
-
-Json robot_of(const RobotView& robot, std::size_t stride) {
+Json robot_of(const plot::RunView& run, std::size_t number, std::size_t stride) {
+  const RobotView& robot = run.robots[number];
   const Rows rows(robot.track.times_s.size(), stride);
   const std::vector<double> times_s = rows.pick(robot.track.times_s);
   Json sensors = Json::array();
@@ -209,10 +173,7 @@ Json robot_of(const RobotView& robot, std::size_t stride) {
           {"touching", pack_u8(rows.pick(robot.track.touching))},
           {"sensors", std::move(sensors)},
           {"coordinations", std::move(coordinations)},
-          {"maps", maps_of(robot)},
-          {"routes", routes_of(robot)},
-          {"goals", goals_of(robot)},
-          {"attempts", attempts_of(robot)}};
+          {"columns", columns_of(run, number, rows)}};
 }
 
 std::size_t bytes_of(const RobotView& robot) noexcept {
@@ -238,12 +199,14 @@ std::string player_data(const plot::RunView& run, std::size_t max_bytes) {
   for (const RobotView& robot : run.robots) bytes += bytes_of(robot);
   const std::size_t stride = std::max<std::size_t>(1, (bytes + max_bytes - 1) / std::max<std::size_t>(1, max_bytes));
   Json robots = Json::array();
-  for (const RobotView& robot : run.robots) robots.push_back(robot_of(robot, stride));
+  for (std::size_t i = 0; i < run.robots.size(); ++i) robots.push_back(robot_of(run, i, stride));
   const plot::Bounds bounds = plot::bounds_of(run);
   const Json data{{"duration", rounded(run.duration_s)},
                   {"bounds", flat({bounds.lower, bounds.upper})},
                   {"scene", scene_of(run.scene)},
                   {"robots", std::move(robots)},
+                  {"roles", roles_json()},
+                  {"exhibits", exhibits_json(run)},
                   {"events", events_of(run)}};
   return fit_for_script(data.dump(-1, ' ', true, Json::error_handler_t::replace));
 }

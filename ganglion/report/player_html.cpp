@@ -3,16 +3,28 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
+#include <set>
 
 #include "ganglion/report/dictionary.h"
 #include "ganglion/report/html.h"
 #include "ganglion/report/legend_html.h"
 #include "ganglion/report/player_data.h"
+#include "ganglion/report/player_exhibits.h"
 
 namespace ganglion::report {
 namespace {
 
 using plot::Language;
+
+constexpr std::size_t kMostChoices = 60;
+constexpr double kForEver = std::numeric_limits<double>::infinity();
+
+/// A value that holds a line break, which safe() would take out.
+std::string safe_value(const std::string& text) {
+  const std::size_t cut = text.find('\n');
+  return safe(text.substr(0, cut)) + "&#10;" + safe(text.substr(cut + 1));
+}
 
 constexpr std::string_view kPlayIcon =
     "<svg class=\"icon-play\" viewBox=\"0 0 20 20\" aria-hidden=\"true\"><path d=\"M5 2l13 8-13 8z\"/></svg>";
@@ -64,13 +76,39 @@ std::string switch_for(std::string_view layer, Key key, Language language) {
                      worded("span", key, language));
 }
 
-std::string map_switch(Language language) {
-  std::string html = "<label>" + worded("span", "map", language) + " <select data-layer=\"map\">";
-  html += worded("option", "map_risk", language, "value=\"risk\"") +
-          worded("option", "map_label", language, "value=\"label\"");
-  html += worded("option", "map_inhibition", language, "value=\"inhibition\"") +
-          worded("option", "map_off", language, "value=\"off\"");
-  return html + "</select></label>\n";
+/// A choice among all layers of all fields that lie in a frame; those of a name count as one, whoever shows them.
+std::string field_choice(const plot::RunView& run, Language language) {
+  std::string options;
+  std::set<std::string> seen;
+  bool chosen = false;
+  for (const ExhibitTrack& track : run.exhibits) {
+    const auto field = field_at(track, kForEver);
+    if (!field || field->frame.empty()) continue;
+    for (const shown::Layer& layer : field->layers) {
+      const std::string value = track.name + "\n" + layer.name;
+      if (!seen.insert(value).second || seen.size() > kMostChoices) continue;
+      const bool first = !chosen && layer.classes.empty();
+      chosen = chosen || first;
+      const Sentence words{track.title().en + ": " + layer.title.en, track.title().es + ": " + layer.title.es};
+      options += recorded("option", words, language,
+                          fmt::format("value=\"{}\"{}", safe_value(value), first ? " selected" : ""));
+    }
+  }
+  if (options.empty()) return "";
+  return "<label>" + worded("span", "field", language) + " <select data-layer=\"field\">" + options +
+         worded("option", "field_off", language, "value=\"\"") + "</select></label>\n";
+}
+
+/// A switch for the marks of each name.
+std::string mark_switches(const plot::RunView& run, Language language) {
+  std::string html;
+  std::set<std::string> seen;
+  for (const ExhibitTrack& track : run.exhibits) {
+    if (track.form != "marks" || !seen.insert(track.name).second || seen.size() > kMostChoices) continue;
+    html += fmt::format("<label><input type=\"checkbox\" data-layer=\"marks-{}\" checked> {}</label>\n",
+                        safe(track.name), recorded("span", track.title(), language));
+  }
+  return html;
 }
 
 std::string robot_choice(const plot::RunView& run, Language language) {
@@ -87,10 +125,7 @@ std::string layers(const plot::RunView& run, Language language) {
   html += robot_choice(run, language);
   html += switch_for("trail", "trail", language);
   if (content.sensors) html += switch_for("sonar", "sonar", language);
-  if (content.maps) html += map_switch(language);
-  if (content.routes) html += switch_for("route", "route", language);
-  if (content.goals) html += switch_for("goals", "goals", language);
-  if (content.attempts) html += switch_for("attempts", "attempts", language);
+  html += field_choice(run, language) + mark_switches(run, language);
   if (content.movers) html += switch_for("movers", "movers", language);
   return html + "</div>\n";
 }
@@ -109,9 +144,9 @@ std::string keys(Language language) {
 std::string player_section(const plot::RunView& run, Language language) {
   std::string html = "<section aria-labelledby=\"watch\">\n" + worded("h2", "watch", language, "id=\"watch\"") + "\n";
   html += "<noscript>" + worded("p", "needs_script", language) + "</noscript>\n";
-  html += stage(run, language);
+  html += roles_style() + stage(run, language);
   html += fmt::format("<canvas id=\"bands\" role=\"img\" {}></canvas>\n", labelled("bands", language));
-  html += controls(language) + layers(run, language);
+  html += controls(language) + layers(run, language) + "<div id=\"panels\"></div>\n";
   html += "<div class=\"now\"><span id=\"behaviour\"><span id=\"behaviour-swatch\"></span>" +
           worded("span", "drives", language) +
           " <span id=\"behaviour-name\"></span></span><span id=\"place\"></span></div>\n<dl id=\"readings\"></dl>\n"

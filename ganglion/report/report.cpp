@@ -7,7 +7,7 @@
 
 #include "ganglion/base/file.h"
 #include "ganglion/base/text.h"
-#include "ganglion/plot/picture/pictures.h"
+#include "ganglion/plot/pictures/pictures.h"
 #include "ganglion/report/embedded.h"
 #include "ganglion/report/html.h"
 #include "ganglion/report/player_html.h"

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
@@ -82,6 +83,39 @@ TEST(Report, SaysEventsInBothLanguagesAndWhichIsInEnglishOnly) {
   const std::string html = page_of(plot::sample_behaviour_run(1, 5), Language::Spanish);
   EXPECT_NE(html.find("<span class=\"said-es\" lang=\"es\">empezó</span>"), std::string::npos);
   EXPECT_NE(html.find("<span lang=\"en\">stuck</span>"), std::string::npos);
+}
+
+TEST(Report, ShowsEveryFormInPictureAndPlayer) {
+  const std::string html = page_of(plot::sample_exhibits_run());
+  const auto block = between(html, "id=\"run\">", "</script>");
+  ASSERT_EQ(block.size(), 1u);
+  const auto json = nlohmann::json::parse(block[0], nullptr, false);
+  std::map<std::string, int> forms;
+  for (const auto& exhibit : json["exhibits"]) ++forms[exhibit["of"]];
+  EXPECT_EQ(forms, (std::map<std::string, int>{
+                       {"field", 2}, {"frame", 2}, {"marks", 1}, {"curve", 1}, {"bars", 1}, {"network", 1}}));
+  EXPECT_TRUE(json["robots"][0]["columns"].contains("truth.yaw_rad"));
+  EXPECT_NE(html.find("data-en=\"Meadow: Warmth\" data-es=\"Prado: Calor\""), std::string::npos);
+  EXPECT_NE(html.find("data-en=\"a pit\" data-es=\"un foso\""), std::string::npos);
+  EXPECT_NE(html.find("data-en=\"Warmth, 10 to 30 degC\" data-es=\"Calor, de 10 a 30 degC\""), std::string::npos);
+  EXPECT_EQ(between(html, "<figcaption", ">").size(),
+            9u);  // way, marks, two fields, behaviours, signals and three more
+}
+
+TEST(Player, HasAShapeForTheTimeItWasThere) {
+  const auto block = between(page_of(plot::sample_exhibits_run()), "id=\"run\">", "</script>");
+  const auto json = nlohmann::json::parse(block.at(0), nullptr, false);
+  for (const auto& exhibit : json["exhibits"]) {
+    if (exhibit["of"] != "marks") continue;
+    std::vector<std::string> goal;
+    for (const auto& shape : exhibit["shapes"]) {
+      if (shape.value("id", "") == "goal 1")
+        goal.push_back(fmt::format("{} {} {}", shape["role"].get<std::string>(), shape["t"].get<double>(),
+                                   shape.value("until", -1.0)));
+    }
+    EXPECT_EQ(goal, (std::vector<std::string>{"goal 0 20", "reached 20 -1"}));
+    EXPECT_EQ(exhibit["shapes"].size(), 8u);  // what stays the same is told once
+  }
 }
 
 TEST(Report, CarriesTheRunAsJsonThatReadsBack) {

@@ -31,7 +31,8 @@ const info: Info = {
       length_m: 1,
       width_m: 1,
       radius_m: 1,
-      sensors: [{ ...sensor, id: 't', kind: 'Trainer', cell_m: 0.5 }],
+      sensors: [],
+      goal_cell_m: 0.5,
     },
   ],
   coordinators: [],
@@ -39,11 +40,7 @@ const info: Info = {
 };
 
 describe('what a pointer finds', () => {
-  const timeline = new Timeline(
-    [{ stream: 9, topic: '/movers', kind: 'movers', columns: [], layers: [] }],
-    scene,
-    info,
-  );
+  const timeline = new Timeline([{ stream: 9, topic: '/movers', kind: 'movers', columns: [] }], scene, info);
 
   test('an obstacle is found where it stands, turned as it is', () => {
     expect(moverAt(timeline, 0, [2.05, 2.4])?.id).toBe('bar');
@@ -64,7 +61,7 @@ describe('what a pointer finds', () => {
     expect(moverAt(timeline, 2, [5, 5])?.id).toBe('person');
   });
 
-  test('cells are the trainer’s; a robot without one has none', () => {
+  test('cells are those of who takes goals; a robot without one has none', () => {
     expect(goalCell_m(timeline, 0)).toBeNull();
     expect(goalCell_m(timeline, 1)).toBe(0.5);
     expect(goalCell_m(timeline, 2)).toBeNull();

@@ -1,7 +1,8 @@
 import { describe, expect, test } from 'vitest';
 import { decodeMessage, decodeSample, decodeSamples } from '../src/api/samples';
 import type { Stream } from '../src/api/types';
-import { MapTrack } from '../src/state/map_track';
+import { FieldTrack } from '../src/state/field_track';
+import { frameAt, shapesAt } from '../src/state/frames';
 import { indexAt, RowTrack } from '../src/state/rows';
 import { Timeline } from '../src/state/timeline';
 import { candidatesAt } from '../src/world/drives';
@@ -11,9 +12,10 @@ const row: Stream = {
   topic: '/robot0/signals',
   kind: 'row',
   columns: ['arbiter.active', 'arbiter.suppressed.hold', 'x'].map((name) => ({ name, unit: '' })),
-  layers: [],
 };
-const grid: Stream = { stream: 2, topic: '/robot0/map/router', kind: 'grid', columns: [], layers: ['label', 'risk'] };
+const whose = { robot: 0, owner: 'router', form: 'field', name: 'map' };
+const field: Stream = { stream: 2, topic: '/robot0/exhibit/router/field/map', kind: 'field', columns: [], of: whose };
+const words = { title: { en: 'Map', es: 'Mapa' }, frame: 'world', cell: [0.25, 0.25], layers: [] };
 
 /** Written down byte by byte from docs/studio_api.md. */
 function bytes(kind: number, stream: number, seq: number, t: number, payload: [string, number][]): ArrayBuffer {
@@ -39,23 +41,24 @@ function rowAt(t: number, values: number[]): ArrayBuffer {
   return bytes(1, 1, 0, t, [['u32', 7], ['u32', values.length], ...values.map((v): [string, number] => ['f64', v])]);
 }
 
-function gridAt(t: number, base: number, cells: [number, number, number][]): ArrayBuffer {
+function fieldAt(t: number, base: number, cells: [number, number, number][]): ArrayBuffer {
+  const text = base === 0 ? new TextEncoder().encode(JSON.stringify(words)) : new Uint8Array();
   const head: [string, number][] = [
     ['u32', base],
     ['u32', 2],
     ['u32', 3],
     ['f64', -1],
     ['f64', 0.5],
-    ['f64', 0.25],
     ['u32', 2],
     ['u32', cells.length],
+    ['u32', text.length],
   ];
   const ids = cells.map(([cell]): [string, number] => ['u32', cell]);
   const values = cells.flatMap(([, a, b]): [string, number][] => [
     ['u8', a],
     ['u8', b],
   ]);
-  return bytes(2, 2, 1, t, [...head, ...ids, ...values]);
+  return bytes(6, 2, 1, t, [...head, ...ids, ...values, ...[...text].map((byte): [string, number] => ['u8', byte])]);
 }
 
 const sample = (buffer: ArrayBuffer) => {
@@ -112,23 +115,24 @@ describe('a timeline', () => {
     expect([-1, 0, 0.9, 1, 9].map((t) => indexAt([0, 1, 2], t))).toEqual([-1, 0, 0, 1, 2]);
   });
 
-  test('shows the map as it was, forwards and backwards', () => {
-    const timeline = new Timeline([row, grid], null, null);
-    timeline.add(sample(gridAt(1, 0, [[0, 10, 11]])));
-    timeline.add(sample(gridAt(2, 1, [[5, 20, 21]])));
-    timeline.add(sample(gridAt(3, 0, [[1, 30, 31]])));
+  test('shows a field as it was, forwards and backwards', () => {
+    const timeline = new Timeline([row, field], null, null);
+    timeline.add(sample(fieldAt(1, 0, [[0, 10, 11]])));
+    timeline.add(sample(fieldAt(2, 1, [[5, 20, 21]])));
+    timeline.add(sample(fieldAt(3, 0, [[1, 30, 31]])));
     timeline.add(
       sample(
-        gridAt(4, 1, [
+        fieldAt(4, 1, [
           [1, 40, 41],
           [2, 50, 51],
         ]),
       ),
     );
-    const values = (t: number) => [...(timeline.maps[0].track.at(t)?.values ?? [])];
-    const at1 = [10, 11, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
-    const at2 = [10, 11, 0, 0, 0, 0, 0, 0, 0, 0, 20, 21];
-    const at4 = [0, 0, 40, 41, 50, 51, 0, 0, 0, 0, 0, 0];
+    const values = (t: number) => [...(timeline.fields[0].track.at(t)?.values ?? [])];
+    const unknown = Array.from({ length: 8 }, () => 255);
+    const at1 = [10, 11, ...unknown, 255, 255];
+    const at2 = [10, 11, ...unknown, 20, 21];
+    const at4 = [255, 255, 40, 41, 50, 51, ...unknown.slice(2)];
     expect(values(4)).toEqual(at4);
     expect(values(2)).toEqual(at2);
     expect(values(1)).toEqual(at1);
@@ -156,18 +160,45 @@ describe('a timeline', () => {
     expect([0, 1, 2].map((column) => track.value(0, column))).toEqual([Number.NaN, Number.NaN, 7]);
   });
 
-  test('folds the older half of a map that changed too often', () => {
-    const track = new MapTrack(100 * 300);
+  test('folds the older half of a field that changed too often', () => {
+    const track = new FieldTrack(100 * 300);
     const add = (t: number, base: number, cells: [number, number, number][]) => {
-      const change = sample(gridAt(t, base, cells));
-      if (change.kind === 'grid') track.add(t, change.base, change.grid);
+      const change = sample(fieldAt(t, base, cells));
+      if (change.kind === 'field') track.add(t, change.base, change.field);
     };
     add(0, 0, [[0, 1, 2]]);
     for (let i = 1; i < 1000; i += 1) add(i, i, [[1 + (i % 5), i % 251, 9]]);
     const value = (t: number, cell: number) => track.at(t)?.values[2 * cell];
     expect([value(999, 0), value(999, 1 + (999 % 5)), value(992, 1 + (992 % 5))]).toEqual([1, 999 % 251, 992 % 251]);
     expect(value(0, 0)).toBe(1);
-    expect(value(0, 1)).toBeGreaterThan(0); // what was before is shown as it was folded
+    expect(value(0, 1)).toBeLessThan(255); // what was before is shown as it was folded
+  });
+
+  test('places shapes in frames that columns lead, and tells a radius by its signal', () => {
+    const of = (form: string, name: string) => ({ robot: 0, owner: 'all', form, name });
+    const stream = (n: number, form: string, name: string): Stream => ({
+      stream: n,
+      topic: `/robot0/exhibit/all/${form}/${name}`,
+      kind: 'exhibit',
+      columns: [],
+      of: of(form, name),
+    });
+    const streams = [row, stream(3, 'frame', 'nose'), stream(4, 'frame', 'mast'), stream(5, 'marks', 'marks')];
+    const timeline = new Timeline(streams, null, null);
+    const title = { en: '', es: '' };
+    const told = (n: number, exhibit: object) =>
+      timeline.add({ stream: n, seq: 1, t: 0, kind: 'exhibit', exhibit: { title, ...exhibit } });
+    timeline.add(sample(rowAt(0, [2, 0, Math.PI / 2])));
+    told(3, { in: 'world', x: 1, y: 0, yaw: 0, columns: ['arbiter.active', '', 'x'] });
+    told(4, { in: 'nose', x: 0.5, y: 0, yaw: 0, columns: ['', '', ''] });
+    told(5, { shapes: [{ form: 3, role: 'echo', frame: 'mast', xy: [0, 0], column: 'arbiter.active' }] });
+    const [placed] = shapesAt(timeline, 0, 0);
+    expect(placed.radius).toBe(2);
+    expect(placed.pose.x).toBeCloseTo(3); // 1 + 2 along x, then half a metre along the turned frame
+    expect(placed.pose.y).toBeCloseTo(0.5);
+    expect(placed.pose.yaw).toBeCloseTo(Math.PI / 2);
+    expect(shapesAt(timeline, 1, 0)).toEqual([]);
+    expect(frameAt(timeline, of('marks', 'marks'), 'nowhere', 0)).toBeNull();
   });
 
   test('tells who drives and who is suppressed', () => {

@@ -16,6 +16,13 @@ foreach(file IN LISTS files)
   file(WRITE ${kind}/${name} "${text}")
 endforeach()
 
+# A picture is a kind like any other, of a layer that makes its own list.
+file(READ ${SOURCE}/ganglion/plot/picture/bars/bars.cpp text)
+string(REPLACE "bars_kind" "copied_bars_kind" text "${text}")
+string(REPLACE ".name = \"Bars\"" ".name = \"CopiedBars\"" text "${text}")
+file(WRITE ${COPY}/ganglion/plot/picture/copied_bars/copied_bars.cpp "${text}")
+file(WRITE ${COPY}/ganglion/plot/picture/copied_bars/CMakeLists.txt "ganglion_add_kind(copied_bars)\n")
+
 # And the kind that CONTRIBUTING.md walks through, as its text stands there.
 execute_process(COMMAND ${PYTHON} -B ${CMAKE_CURRENT_LIST_DIR}/made_files.py ${SOURCE}/CONTRIBUTING.md ${COPY}
                 COMMAND_ERROR_IS_FATAL ANY)
@@ -35,6 +42,12 @@ foreach(call "kinds;--json" "kinds;Copycat" "kinds;Copycat;--language;es")
   run(build/plain/bin/ganglion ${call})
   if(NOT said MATCHES "Copycat")
     message(FATAL_ERROR "ganglion ${call} does not know the new kind: ${said}")
+  endif()
+endforeach()
+foreach(call "kinds" "plot;--help")
+  run(build/plain/bin/ganglion ${call})
+  if(NOT said MATCHES "CopiedBars")
+    message(FATAL_ERROR "ganglion ${call} does not know the new picture: ${said}")
   endif()
 endforeach()
 run(build/plain/bin/ganglion kinds LowPass)

@@ -8,8 +8,6 @@ namespace ganglion::plot {
 struct Words {
   Word trajectory;
   Word trajectory_about;
-  Word learned_map;
-  Word learned_map_about;
   Word signals;
   Word signals_about;
   Word behaviours;
@@ -19,8 +17,6 @@ struct Words {
   Word end;
   Word path;
   Word contact;
-  Word goal;
-  Word goal_withdrawn;
   Word wall;
   Word static_obstacle;
   Word dynamic_obstacle;
@@ -30,17 +26,12 @@ struct Words {
   Word bump;
   Word beacon;
   Word true_outline;
-  Word failed_attempt;
   Word no_behaviour;
   Word active;
   Word suppressed;
   Word quiet;
   Word time;
-  Word risk;
   Word unexplored;
-  Word occupied;
-  Word dynamic;
-  Word inhibited;
   Word no_reading;
   Word nothing_in_range;
   Word too_close;

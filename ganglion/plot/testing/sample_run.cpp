@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "ganglion/math/functions.h"
+#include "ganglion/record/exhibit/testing/shows_all.h"
 
 namespace ganglion::plot {
 namespace {
@@ -82,27 +84,105 @@ RobotView behaviour_robot(int number, double duration_s) {
   return robot;
 }
 
-MapFrame map_at(double time_s, double share) {
+/// Layers of a map: what a cell is, how risky, whether it changes, whether it is closed.
+std::vector<shown::Layer> layers_of_a_map() {
+  const auto layer = [](const char* name, Sentence title, std::vector<shown::Class> classes) {
+    return shown::Layer{name, std::move(title), "", 0, 1, std::move(classes)};
+  };
+  return {layer("label", {"cells", "celdas"},
+                {{0.5, Role::Free, {"empty", "vacía"}}, {1, Role::Solid, {"occupied", "ocupada"}}}),
+          layer("risk", {"risk", "riesgo"}, {}),
+          layer("static", {"nature", "naturaleza"},
+                {{0, Role::Moving, {"dynamic", "dinámica"}}, {1, Role::Plain, {"static", "estática"}}}),
+          layer("inhibited", {"inhibition", "inhibición"},
+                {{0, Role::Free, {"open", "abierta"}}, {1, Role::Danger, {"inhibited", "inhibida"}}})};
+}
+
+shown::Field map_at(double time_s, double share) {
   constexpr int kColumns = 20, kRows = 16;
-  MapFrame frame{time_s, {0, 0}, kColumns, kRows, {}, {}, {}, {}};
-  const std::size_t cells = kColumns * kRows;
-  frame.label.assign(cells, 0), frame.risk.assign(cells, 0), frame.dynamic.assign(cells, 0),
-      frame.inhibited.assign(cells, 0);
-  for (int row = 0; row < kRows; ++row)
+  shown::Field field;
+  field.frame = "world";
+  field.cell = {0.3, 0.3};
+  field.columns = kColumns;
+  field.rows = kRows;
+  field.layers = layers_of_a_map();
+  field.cells.assign(4, std::vector<std::uint8_t>(kColumns * kRows, shown::kUnknownCell));
+  for (int row = 0; row < kRows; ++row) {
     for (int column = 0; column < kColumns * share; ++column) {
-      const std::size_t i = static_cast<std::size_t>(row) * kColumns + column;
+      const std::size_t i = static_cast<std::size_t>(row) * kColumns + static_cast<std::size_t>(column);
       const bool edge = row == 0 || row == kRows - 1 || column == 0;
       const bool block = column >= 5 && column <= 7 && row >= 5 && row <= 6;
-      frame.label[i] = edge || block ? 2 : (row * 7 + column * 5) % 11 == 0 ? 0 : 1;
-      frame.risk[i] = static_cast<std::uint8_t>(edge                  ? 60
-                                                : block               ? 200
-                                                : frame.label[i] == 0 ? 0
-                                                                      : (row * 13 + column * 29) % 70);
-      frame.dynamic[i] = column % 6 == 3 && row % 5 == 2;
-      frame.inhibited[i] = block && column == 5 + static_cast<int>(time_s / 20) % 3 ? 9 : 0;
-      if (frame.inhibited[i]) frame.risk[i] = 240;
+      if (!edge && !block && (row * 7 + column * 5) % 11 == 0) continue;
+      const bool closed = block && column == 5 + static_cast<int>(time_s / 20) % 3;
+      const double risk = closed ? 0.94 : edge ? 0.24 : block ? 0.78 : (row * 13 + column * 29) % 70 / 255.0;
+      field.cells[0][i] = field.layers[0].byte_of(edge || block ? 1 : 0.5);
+      field.cells[1][i] = field.layers[1].byte_of(risk);
+      field.cells[2][i] = field.layers[2].byte_of(column % 6 == 3 && row % 5 == 2 ? 0 : 1);
+      field.cells[3][i] = field.layers[3].byte_of(closed ? 1 : 0);
     }
-  return frame;
+  }
+  return field;
+}
+
+/// What somebody shows at the start and ten seconds later.
+std::vector<ExhibitTrack> kept_exhibits(ShowsAll exhibitor, const ExhibitOwner& owner) {
+  KeepsShown kept(owner);
+  for (exhibitor.stage = 0; exhibitor.stage < 3; ++exhibitor.stage) {
+    kept.time_s = 10.0 * exhibitor.stage;
+    exhibitor.show(kept);
+  }
+  return kept.tracks;
+}
+
+ExhibitTrack track(std::string_view form, std::string_view name) {
+  return *track_of(exhibit_topic({0, "router"}, form, name));
+}
+
+ExhibitTrack sample_map() {
+  ExhibitTrack map = track("field", "map");
+  for (int i = 0; i < 9; ++i) {
+    map.add(i * 10.0, {{"Learned map", "Mapa aprendido"}, map_at(i * 10.0, std::min(1.0, 0.2 + 0.12 * i))});
+  }
+  return map;
+}
+
+ExhibitTrack sample_routes() {
+  ExhibitTrack routes = track("marks", "route");
+  for (int i = 0; i < 8; ++i) {
+    shown::Shape route{.role = Role::Plan, .frame = "world"};
+    for (int k = 0; k < 14; ++k) route.points.push_back(pose_at(i * 10.0 + k, 0).position);
+    routes.add(i * 10.0, {{"Route", "Ruta"}, shown::Marks{{std::move(route)}}});
+  }
+  return routes;
+}
+
+ExhibitTrack sample_goals() {
+  ExhibitTrack goals = track("marks", "goals");
+  constexpr std::array<Vector2, 4> kPlaces = {{{4.95, 3.45}, {1.35, 4.35}, {1.95, 1.95}, {5.25, 0.75}}};
+  constexpr std::array<double, 4> kSet_s = {0, 21, 44, 70};
+  constexpr std::array<Role, 4> kEnd = {Role::Reached, Role::Reached, Role::GivenUp, Role::Goal};
+  for (std::size_t now = 0; now < kPlaces.size(); ++now) {
+    shown::Marks marks;
+    for (std::size_t g = 0; g <= now; ++g) {
+      marks.shapes.push_back({.form = Form::Disc,
+                              .role = g < now ? kEnd[g] : Role::Goal,
+                              .id = fmt::format("goal {}", g + 1),
+                              .frame = "world",
+                              .points = {kPlaces[g]},
+                              .label = Sentence::quoted(fmt::format("{}", g + 1))});
+    }
+    goals.add(kSet_s[now], {{"Goals", "Objetivos"}, std::move(marks)});
+  }
+  return goals;
+}
+
+ExhibitTrack sample_attempts() {
+  ExhibitTrack attempts = track("marks", "attempts");
+  for (int i = 0; i < 3; ++i) {
+    shown::Shape line{.role = Role::Tried, .frame = "world", .points = {{1.4 + 0.3 * i, 1.3}, {1.65 + 0.3 * i, 1.75}}};
+    attempts.add(20.0 * i, {{"Failed attempts", "Intentos fallidos"}, shown::Marks{{std::move(line)}}});
+  }
+  return attempts;
 }
 
 }  // namespace
@@ -126,17 +206,14 @@ RunView sample_router_run() {
   run.name = "pathfinder";
   RobotView& robot = run.robots[0];
   robot.coordinations.clear();
-  robot.maps.push_back({"router", 0.3, {}});
-  for (int i = 0; i < 9; ++i) robot.maps[0].frames.push_back(map_at(i * 10.0, std::min(1.0, 0.2 + 0.12 * i)));
-  robot.goals = {{{4.95, 3.45}, 0, 21, GoalState::Reached, ""},
-                 {{1.35, 4.35}, 21, 44, GoalState::Reached, ""},
-                 {{1.95, 1.95}, 44, 70, GoalState::Withdrawn, "every route failed"},
-                 {{5.25, 0.75}, 70, kInfinite, GoalState::Pending, ""}};
-  for (int i = 0; i < 8; ++i) {
-    Route route{"router", i * 10.0, {}};
-    for (int k = 0; k < 14; ++k) route.points.push_back(pose_at(i * 10.0 + k, 0).position);
-    robot.routes.push_back(std::move(route));
-  }
+  run.exhibits = {sample_map(), sample_routes(), sample_goals(), sample_attempts()};
+  return run;
+}
+
+RunView sample_exhibits_run() {
+  RunView run = sample_behaviour_run(1, 30);
+  run.name = "everything there is to see";
+  run.exhibits = kept_exhibits(ShowsAll(), {0, "all"});
   return run;
 }
 
@@ -145,7 +222,7 @@ RunView empty_run() {
   run.robots.push_back({.name = "robot0", .radius_m = 0.1});
   run.robots[0].signals.columns = {{"sonar", "m"}};
   run.robots[0].coordinations.push_back({"arbiter", {"escape"}, {}, {}, {}, {}});
-  run.robots[0].maps.push_back({"router", 0.3, {}});
+  run.exhibits.push_back(track("field", "map"));
   return run;
 }
 

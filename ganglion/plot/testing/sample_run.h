@@ -12,6 +12,9 @@ RunView sample_behaviour_run(int robots, double duration_s);
 /// inhibitions and failed attempts, a mover that jumps between two places.
 RunView sample_router_run();
 
+/// A made-up run of one robot with a component that shows something of every form (ShowsAll).
+RunView sample_exhibits_run();
+
 /// A run that ended before its first tick.
 RunView empty_run();
 

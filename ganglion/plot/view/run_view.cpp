@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ganglion/plot/view/shapes.h"
+
 namespace ganglion::plot {
 namespace {
+
+constexpr double kWidestReach_m = 1000;
 
 /// Grows by the finite points it is shown.
 class Extent {
@@ -43,46 +47,17 @@ void add_robot(Extent& extent, const RobotView& robot) noexcept {
     extent.add(p - Vector2{half_m, half_m});
     extent.add(p + Vector2{half_m, half_m});
   }
-  for (const GoalView& goal : robot.goals) extent.add(goal.place);
 }
 
-/// Inhibition of the cell that holds `point`; 0 outside the map.
-std::uint8_t inhibition_at(const MapFrame& frame, double cell_m, Vector2 point) noexcept {
-  const double column = std::floor((point.x - frame.origin.x) / cell_m);
-  const double row = std::floor((point.y - frame.origin.y) / cell_m);
-  if (!(column >= 0 && row >= 0 && column < frame.columns && row < frame.rows)) return 0;
-  const std::size_t cell = static_cast<std::size_t>(row) * frame.columns + static_cast<std::size_t>(column);
-  return cell < frame.inhibited.size() ? frame.inhibited[cell] : 0;
-}
-
-/// Where the robot was nearest to `place` in (after_s, until_s]; none where it was nowhere known.
-std::optional<std::size_t> nearest_row(const Track& track, Vector2 place, double after_s, double until_s) noexcept {
-  std::optional<std::size_t> nearest;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t row = index_at(track.times_s, after_s).value_or(0); row < track.times_s.size(); ++row) {
-    if (track.times_s[row] > until_s) break;
-    const double squared = (Vector2{track.x_m[row], track.y_m[row]} - place).squared();
-    if (!(squared < least)) continue;
-    least = squared;
-    nearest = row;
-  }
-  return nearest;
-}
-
-void add_attempts(std::vector<Attempt>& attempts, const RobotView& robot, const MapView& map, std::size_t index) {
-  const MapFrame& now = map.frames[index];
-  if (now.inhibited.size() < static_cast<std::size_t>(now.columns) * now.rows) return;
-  const double after_s = index > 0 ? map.frames[index - 1].time_s : 0;
-  for (int row = 0; row < now.rows; ++row) {
-    for (int column = 0; column < now.columns; ++column) {
-      const std::uint8_t left = now.inhibited[static_cast<std::size_t>(row) * now.columns + column];
-      if (left == 0) continue;
-      const Vector2 centre = now.origin + Vector2{column + 0.5, row + 0.5} * map.cell_m;
-      if (index > 0 && inhibition_at(map.frames[index - 1], map.cell_m, centre) >= left) continue;
-      const auto from = nearest_row(robot.track, centre, after_s, now.time_s);
-      if (!from) continue;
-      const Track& track = robot.track;
-      attempts.push_back({track.times_s[*from], {track.x_m[*from], track.y_m[*from]}, centre});
+/// Shapes of all time: a picture that shows only the last ones has room for them too.
+void add_exhibits(Extent& extent, const RunView& run) {
+  for (const PlacedShape& placed : lasting_shapes(run)) {
+    const double radius_m = placed.radius_m < kWidestReach_m ? placed.radius_m : 0;
+    if (placed.shape->role == Role::Echo || placed.shape->role == Role::Sensing) continue;
+    for (const Vector2 point : placed.shape->points) {
+      const Vector2 at = placed.frame.to_outer(point);
+      extent.add(at - Vector2{radius_m, radius_m});
+      extent.add(at + Vector2{radius_m, radius_m});
     }
   }
 }
@@ -103,15 +78,14 @@ std::optional<std::size_t> index_at(std::span<const double> times_s, double time
   return static_cast<std::size_t>(after - times_s.begin()) - 1;
 }
 
-std::vector<Attempt> failed_attempts(const RobotView& robot) {
-  std::vector<Attempt> attempts;
-  for (const MapView& map : robot.maps)
-    for (std::size_t i = 0; i < map.frames.size(); ++i) add_attempts(attempts, robot, map, i);
-  std::ranges::stable_sort(attempts, {}, &Attempt::time_s);
-  return attempts;
+bool has_way(const RunView& run) noexcept {
+  const auto seen = [](const RobotView& robot) {
+    return std::ranges::any_of(robot.track.x_m, [](double x_m) { return std::isfinite(x_m); });
+  };
+  return std::ranges::any_of(run.robots, seen);
 }
 
-Bounds bounds_of(const RunView& run) noexcept {
+Bounds bounds_of(const RunView& run) {
   Extent extent;
   if (run.scene.bounds) {
     extent.add(run.scene.bounds->lower);
@@ -121,6 +95,7 @@ Bounds bounds_of(const RunView& run) noexcept {
   extent.add(run.scene.furniture);
   extent.add(run.scene.solids);
   for (const RobotView& robot : run.robots) add_robot(extent, robot);
+  add_exhibits(extent, run);
   return extent.bounds();
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,6 +9,7 @@
 
 #include "ganglion/base/sentence.h"
 #include "ganglion/geometry/pose2.h"
+#include "ganglion/record/exhibit/track.h"
 #include "ganglion/record/run_info.h"
 
 namespace ganglion::plot {
@@ -114,52 +114,6 @@ struct Coordination {
   }
 };
 
-/// What a cell of a learned map is believed to be.
-enum class CellLabel : std::uint8_t { Unexplored = 0, Empty = 1, Occupied = 2 };
-
-/// A learned map as it was at one time. Row 0 is the lowest y; maps may grow, so every frame has its own extent.
-struct MapFrame {
-  double time_s = 0;
-  Vector2 origin{};  ///< Lower corner of cell {0, 0} [m].
-  int columns = 0;
-  int rows = 0;
-  std::vector<std::uint8_t> label;    ///< CellLabel
-  std::vector<std::uint8_t> risk;     ///< 0..255 stands for [0, 1]
-  std::vector<std::uint8_t> dynamic;  ///< 1 = has been both free and blocked
-  std::vector<std::uint8_t>
-      inhibited;  ///< > 0 = may not be tried now: ticks left, or 255 where only the fact is known.
-};
-
-struct MapView {
-  std::string component;
-  double cell_m = 0;
-  std::vector<MapFrame> frames;  ///< Ascending in time.
-};
-
-/// A route planned by one component, and from when it held.
-struct Route {
-  std::string component;
-  double time_s = 0;
-  std::vector<Vector2> points;
-};
-
-enum class GoalState : std::uint8_t { Pending, Reached, Withdrawn, TimedOut, Replaced };
-
-struct GoalView {
-  Vector2 place{};  ///< Centre of the requested cell.
-  double set_s = 0;
-  double ended_s = std::numeric_limits<double>::infinity();
-  GoalState state = GoalState::Pending;
-  std::string reason;  ///< Recorded words; may be empty.
-};
-
-/// A try to enter a cell that failed, drawn as a line from where the robot stood to the cell.
-struct Attempt {
-  double time_s = 0;
-  Vector2 from{};
-  Vector2 to{};
-};
-
 struct RobotView {
   std::string name;
   double length_m = 0;
@@ -169,9 +123,6 @@ struct RobotView {
   Track track;
   SignalTable signals;
   std::vector<Coordination> coordinations;
-  std::vector<MapView> maps;
-  std::vector<Route> routes;  ///< Ascending in time.
-  std::vector<GoalView> goals;
 
   /// Largest extent of the body [m].
   double extent_m() const noexcept;
@@ -206,17 +157,17 @@ struct RunView {
   std::vector<Measure> measures;
   Scene scene;
   std::vector<RobotView> robots;
+  std::vector<ExhibitTrack> exhibits;  ///< What was shown, by whomever, in the order of its topics.
   std::vector<Event> events;
 };
 
 /// Index of the last entry not later than time_s; none before the first. `times_s` ascends.
 std::optional<std::size_t> index_at(std::span<const double> times_s, double time_s) noexcept;
 
-/// The failed attempts that a robot's maps tell of: a cell inhibited anew means a try that failed since the frame
-/// before, and it was made from where the robot came nearest to the cell in that time.
-std::vector<Attempt> failed_attempts(const RobotView& robot);
+/// Whether it is known of any robot where it was.
+bool has_way(const RunView& run) noexcept;
 
-/// The corners of all there is to draw: scene, tracks and goals, at least half a metre each way.
-Bounds bounds_of(const RunView& run) noexcept;
+/// The corners of all there is to draw: scene, tracks and what is shown in the world, at least half a metre each way.
+Bounds bounds_of(const RunView& run);
 
 }  // namespace ganglion::plot

@@ -7,11 +7,15 @@ function word(key) {
   return dictionary[language][key] ?? key;
 }
 
-/** Words everything marked with data-word (text) or data-label (accessible name) anew. */
+/** Words everything marked with data-word (text), data-en and data-es (recorded words) or data-label (accessible name) anew. */
 function speak(tag) {
   language = tag === 'es' ? 'es' : 'en';
   document.documentElement.lang = language;
   for (const element of document.querySelectorAll('[data-word]')) element.textContent = word(element.dataset.word);
+  for (const element of document.querySelectorAll('[data-en]')) {
+    element.textContent = language === 'es' ? element.dataset.es : element.dataset.en;
+    element.lang = language;
+  }
   for (const element of document.querySelectorAll('[data-label]')) {
     element.setAttribute('aria-label', word(element.dataset.label));
     if (element.tagName === 'BUTTON') element.title = word(element.dataset.label);

@@ -33,21 +33,6 @@ function indexAt(times, t) {
   return low - 1;
 }
 
-function decodeMap(map) {
-  const frames = map.frames.map((frame) => ({ t: frame.t, changes: unpack(frame.changes, 'u32') }));
-  const cells = map.columns * map.rows;
-  return {
-    ...map,
-    frames,
-    times: frames.map((frame) => frame.t),
-    shown: -1,
-    label: new Uint8Array(cells),
-    risk: new Uint8Array(cells),
-    dynamic: new Uint8Array(cells),
-    inhibited: new Uint8Array(cells),
-  };
-}
-
 function decodeRobot(robot) {
   return {
     ...robot,
@@ -63,7 +48,7 @@ function decodeRobot(robot) {
       wanted: unpack(c.wanted, 'u8'),
       shares: unpack(c.shares, 'u8'),
     })),
-    maps: robot.maps.map(decodeMap),
+    columns: Object.fromEntries(Object.entries(robot.columns).map(([name, values]) => [name, unpack(values, 'f32')])),
   };
 }
 
@@ -75,7 +60,12 @@ function decodeScene(scene) {
 
 /** The run from the page's data block. */
 function decodeRun(json) {
-  return { ...json, scene: decodeScene(json.scene), robots: json.robots.map(decodeRobot) };
+  return {
+    ...json,
+    scene: decodeScene(json.scene),
+    robots: json.robots.map(decodeRobot),
+    exhibits: json.exhibits.map(decodeExhibit),
+  };
 }
 
 /** A reading in metres; the three that are no range as NaN, Infinity and -Infinity. */
@@ -109,30 +99,6 @@ function poseAt(robot, t, smooth) {
   pose.y = between(pose.y, robot.y[next], part);
   pose.yaw = turnBetween(pose.yaw, robot.yaw[next] || 0, part);
   return pose;
-}
-
-function applyChanges(map, changes) {
-  for (let i = 0; i + 1 < changes.length; i += 2) {
-    const cell = changes[i];
-    const packed = changes[i + 1];
-    map.risk[cell] = packed & 255;
-    map.inhibited[cell] = (packed >>> 8) & 255;
-    map.label[cell] = (packed >>> 16) & 3;
-    map.dynamic[cell] = (packed >>> 18) & 1;
-  }
-}
-
-/** Brings a map to what was known at t. */
-function showMapAt(map, t) {
-  const wanted = indexAt(map.times, t);
-  if (wanted < map.shown) {
-    for (const layer of [map.label, map.risk, map.dynamic, map.inhibited]) layer.fill(0);
-    map.shown = -1;
-  }
-  while (map.shown < wanted) {
-    map.shown += 1;
-    applyChanges(map, map.frames[map.shown].changes);
-  }
 }
 
 /** The candidate that drives at a row: its index, or -1. */

@@ -7,10 +7,10 @@ function styleColour(name) {
 }
 
 /** All colours the canvases use; read again when the colour scheme changes. */
-function readColours() {
-  const names = ['floor', 'line', 'wall', 'free', 'mover', 'zone', 'bump', 'body', 'start', 'trail', 'goal', 'attempt', 'sonar', 'contact',
-    'route', 'text', 'muted', 'card', 'accent'];
+function readColours(roles) {
+  const names = ['floor', 'line', 'wall', 'free', 'mover', 'zone', 'bump', 'body', 'start', 'trail', 'goal', 'sonar', 'contact', 'text', 'muted', 'card', 'accent'];
   const colours = Object.fromEntries(names.map((name) => [name, styleColour(name)]));
+  colours.roles = Object.fromEntries(Object.keys(roles).map((name) => [name, styleColour(`role-${name}`)]));
   colours.looks = Array.from({ length: 8 }, (_, i) => styleColour(`look-${i}`));
   return colours;
 }

@@ -88,104 +88,171 @@ function drawBeacons(view, scene, colours) {
   }
 }
 
-/** The colour of one cell [r, g, b, a] in the chosen view of the map; nothing for the unexplored. */
-function cellColour(map, cell, layer) {
-  const label = map.label[cell];
-  if (label === 0 && map.risk[cell] === 0 && map.inhibited[cell] === 0) return [0, 0, 0, 0];
-  if (layer === 'risk') return [...viridis(map.risk[cell] / 255), 215];
-  if (layer === 'inhibition') return [...viridis(Math.min(1, map.inhibited[cell] / 20)), 215];
-  return label === 2 ? [52, 60, 70, 225] : label === 1 ? [150, 200, 190, 190] : [0, 0, 0, 0];
+/** The colour of one byte of a layer [r, g, b, a]; nothing for the unknown. */
+function cellColour(layer, byte, colours) {
+  if (byte === UNKNOWN) return [0, 0, 0, 0];
+  const one = classOf(layer, byte);
+  return one ? [...channels(colours.roles[one.role]), 205] : [...viridis(byte / 254), 215];
 }
 
-function paintCells(map, layer) {
-  map.image ??= new OffscreenCanvas(map.columns, map.rows);
-  const painted = `${layer}:${map.shown}`;
-  if (map.painted === painted) return;
-  map.painted = painted;
-  const context = map.image.getContext('2d');
-  const image = context.createImageData(map.columns, map.rows);
-  for (let row = 0; row < map.rows; row += 1) {
-    for (let column = 0; column < map.columns; column += 1) {
-      const dot = ((map.rows - 1 - row) * map.columns + column) * 4;
-      image.data.set(cellColour(map, row * map.columns + column, layer), dot);
+/** The class whose byte is nearest; nothing for a scale. */
+function classOf(layer, byte) {
+  let best = null;
+  for (const one of layer.classes) {
+    if (!best || Math.abs(one.byte - byte) < Math.abs(best.byte - byte)) best = one;
+  }
+  return best;
+}
+
+/** "#rrggbb" as three numbers. */
+function channels(colour) {
+  return [1, 3, 5].map((at) => Number.parseInt(colour.slice(at, at + 2), 16));
+}
+
+function paintCells(field, now, layer, colours) {
+  const painted = `${layer}:${field.shown}:${colours.floor}`;
+  if (field.image && field.painted === painted) return;
+  field.painted = painted;
+  field.image = new OffscreenCanvas(now.columns, now.rows);
+  const context = field.image.getContext('2d');
+  const image = context.createImageData(now.columns, now.rows);
+  for (let row = 0; row < now.rows; row += 1) {
+    for (let column = 0; column < now.columns; column += 1) {
+      const dot = ((now.rows - 1 - row) * now.columns + column) * 4;
+      image.data.set(cellColour(field.layers[layer], now.cells[layer][row * now.columns + column], colours), dot);
     }
   }
   context.putImageData(image, 0, 0);
 }
 
-function drawCross(view, x, y, size) {
-  const [px, py] = [view.x(x), view.y(y)];
-  view.context.beginPath();
+function drawCross(context, x, y, size) {
+  context.beginPath();
   for (const side of [-1, 1]) {
-    view.context.moveTo(px - size, py - size * side);
-    view.context.lineTo(px + size, py + size * side);
+    context.moveTo(x - size, y - size * side);
+    context.lineTo(x + size, y + size * side);
   }
 }
 
-function drawMarks(view, map, colours) {
-  const size = Math.min(7, (map.cell * view.scale) / 3);
+/** The sign of a class over a cell, in a box of twice `size` about x, y on the canvas. */
+function drawSign(view, sign, x, y, size, colour) {
+  const { context } = view;
+  if (sign === 'hatch') {
+    context.beginPath();
+    context.moveTo(x - size, y + size);
+    context.lineTo(x + size, y - size);
+    view.stroke('#ffffff', 1.4);
+  } else if (sign === 'cross') {
+    drawCross(context, x, y, size + 1);
+    view.stroke('#ffffff', 4);
+    view.stroke(colour, 2);
+  } else if (sign === 'dot') {
+    context.beginPath();
+    context.arc(x, y, Math.max(1.5, size / 2.5), 0, 2 * Math.PI);
+    view.fill('#ffffff');
+  }
+}
+
+/** Signs of all layers of classes; a cross covers the others. */
+function drawSigns(view, run, field, now, place, size, colours) {
   if (size < 1.5) return;
-  for (let cell = 0; cell < map.label.length; cell += 1) {
-    const x = map.x + ((cell % map.columns) + 0.5) * map.cell;
-    const y = map.y + (Math.floor(cell / map.columns) + 0.5) * map.cell;
-    if (map.label[cell] === 2) {
-      view.context.beginPath();
-      view.context.moveTo(view.x(x) - size, view.y(y) + size);
-      view.context.lineTo(view.x(x) + size, view.y(y) - size);
-      view.stroke('#ffffff', 1.4);
-    }
-    if (map.inhibited[cell] > 0) {
-      drawCross(view, x, y, size + 1);
-      view.stroke('#ffffff', 4);
-      view.stroke(colours.contact, 2);
-    } else if (map.dynamic[cell] > 0) {
-      view.disc(x, y, Math.max(1.5, size / 2.5));
-      view.fill('#ffffff');
-    }
+  const layers = field.layers.map((layer, i) => [layer, i]).filter(([layer]) => layer.classes.length > 0);
+  for (let cell = 0; cell < now.columns * now.rows; cell += 1) {
+    const found = layers.map(([layer, i]) => (now.cells[i][cell] === UNKNOWN ? null : classOf(layer, now.cells[i][cell])));
+    const signs = found.filter(Boolean).map((one) => [run.roles[one.role].sign, one.role]);
+    const crossed = signs.some(([sign]) => sign === 'cross');
+    const [x, y] = place(cell % now.columns, Math.floor(cell / now.columns));
+    for (const [sign, role] of signs) if (sign !== 'dot' || !crossed) drawSign(view, sign, x, y, size, colours.roles[role]);
   }
 }
 
-function drawMap(view, map, t, layer, colours) {
-  showMapAt(map, t);
-  if (map.shown < 0) return;
-  paintCells(map, layer);
-  const width = map.columns * map.cell * view.scale;
-  const height = map.rows * map.cell * view.scale;
-  view.context.imageSmoothingEnabled = false;
-  view.context.drawImage(map.image, view.x(map.x), view.y(map.y) - height, width, height);
-  drawMarks(view, map, colours);
+/** One layer of a field in its frame. */
+function drawField(view, run, field, t, layer, colours) {
+  const now = fieldAt(field, t);
+  const pose = now && frameAt(run, field, field.frame, t);
+  if (!pose) return;
+  paintCells(field, now, layer, colours);
+  const [wide, high] = [field.cell[0] * view.scale, field.cell[1] * view.scale];
+  const { context } = view;
+  context.save();
+  context.translate(view.x(pose.x), view.y(pose.y));
+  context.rotate(-pose.yaw);
+  context.imageSmoothingEnabled = false;
+  const [left, below] = [now.x * view.scale, -now.y * view.scale];
+  context.drawImage(field.image, left, below - now.rows * high, now.columns * wide, now.rows * high);
+  const place = (column, row) => [left + (column + 0.5) * wide, below - (row + 0.5) * high];
+  drawSigns(view, run, field, now, place, Math.min(7, Math.min(wide, high) / 3), colours);
+  context.restore();
 }
 
-function drawRoutes(view, robot, t, colours) {
-  const newest = {};
-  for (const route of robot.routes) if (route.t <= t) newest[route.component] = route;
-  for (const route of Object.values(newest)) {
-    view.trace(route.points, false);
-    view.stroke(colours.route, 2, [6, 4]);
+const [POLYLINE, POLYGON, DISC, SECTOR, POINT, LABEL] = [0, 1, 2, 3, 4, 5];
+
+function fillAndStroke(view, role, colour, closed) {
+  if (closed) {
+    view.context.globalAlpha *= role.filled ? 0.45 : 0.12;
+    view.fill(colour);
+    view.context.globalAlpha = role.over ? 0.5 : 1;
   }
+  view.stroke(colour, 2, role.dash);
 }
 
-function drawGoals(view, robot, t, colours) {
-  robot.goals.forEach((goal, i) => {
-    if (goal.set > t) return;
-    const ended = goal.ended !== null && goal.ended <= t;
-    view.context.globalAlpha = ended ? 0.45 : 1;
-    view.disc(goal.x, goal.y, ended ? 6 : 9);
-    view.fill(colours.goal);
-    view.stroke('#22272e', 1.3);
-    view.context.fillStyle = '#22272e';
-    view.context.font = 'bold 10px sans-serif';
-    view.context.textAlign = 'center';
-    view.context.textBaseline = 'middle';
-    if (robot.goals.length > 1 && !ended) view.context.fillText(String(i + 1), view.x(goal.x), view.y(goal.y) + 0.5);
-    view.context.globalAlpha = 1;
-  });
-}
-
-function drawAttempts(view, robot, t, colours) {
-  for (const attempt of robot.attempts) {
-    if (attempt.t > t) break;
-    view.trace(attempt.line, false);
-    view.stroke(colours.attempt, 2, [2, 3]);
+function drawDisc(view, role, colour, at, radius, small) {
+  view.disc(at.x, at.y, small ? radius * 0.7 : radius);
+  if (!role.filled) return fillAndStroke(view, role, colour, true);
+  view.fill(colour);
+  view.stroke('#22272e', 1.3);
+  if (role.sign === 'cross') {
+    drawCross(view.context, view.x(at.x), view.y(at.y), radius * 0.5);
+    view.stroke('#22272e', 1.8);
   }
+  return undefined;
+}
+
+function drawShape(view, run, { shape, pose, radius }, colours) {
+  const role = run.roles[shape.role];
+  const colour = colours.roles[shape.role];
+  const at = followedBy(pose, { x: shape.xy[0], y: shape.xy[1], yaw: 0 });
+  view.context.globalAlpha = role.over ? 0.5 : 1;
+  if (shape.form === POLYLINE || shape.form === POLYGON) {
+    view.trace(shape.xy, shape.form === POLYGON, pose);
+    fillAndStroke(view, role, colour, shape.form === POLYGON);
+  } else if (shape.form === DISC) {
+    drawDisc(view, role, colour, at, Math.max(radius * view.scale, shape.radius ? 4 : 9), role.over && !shape.radius);
+  } else if (shape.form === SECTOR) {
+    traceSector(view, at, radius, shape.angle ?? 0, at.yaw);
+    fillAndStroke(view, role, colour, true);
+  } else if (shape.form === POINT) {
+    view.disc(at.x, at.y, 4);
+    view.fill(colour);
+  }
+  view.context.globalAlpha = 1;
+}
+
+function drawLabel(view, run, { shape, pose }, colours) {
+  if (!shape.label || (shape.form === DISC && run.roles[shape.role].over)) return;
+  const count = shape.xy.length / 2;
+  let [x, y] = [0, 0];
+  for (let i = 0; i < shape.xy.length; i += 2) {
+    const at = followedBy(pose, { x: shape.xy[i], y: shape.xy[i + 1], yaw: 0 });
+    x += at.x / count;
+    y += at.y / count;
+  }
+  const { context } = view;
+  const inside = shape.form === DISC;
+  context.font = inside ? 'bold 10px sans-serif' : '12px sans-serif';
+  context.textAlign = 'center';
+  context.textBaseline = 'middle';
+  const down = inside || shape.form === POLYGON ? 0.5 : 14;
+  context.lineWidth = 3;
+  context.strokeStyle = colours.floor;
+  context.setLineDash([]);
+  if (!inside) context.strokeText(shape.label[language], view.x(x), view.y(y) + down);
+  context.fillStyle = inside ? '#22272e' : colours.text;
+  context.fillText(shape.label[language], view.x(x), view.y(y) + down);
+}
+
+/** Lines lie below the ways, everything else above them. */
+function drawShapes(view, run, shapes, lines, colours) {
+  const some = shapes.filter(({ shape }) => (shape.form === POLYLINE) === lines);
+  for (const placed of some) if (placed.shape.form !== LABEL) drawShape(view, run, placed, colours);
+  for (const placed of some) drawLabel(view, run, placed, colours);
 }

@@ -102,24 +102,33 @@ function drawBody(view, robot, pose, colours, chosen) {
   view.fill(edge);
 }
 
+/** Whether something is of the robot that is looked at, or of all. */
+function isSeen(player, exhibit) {
+  return exhibit.robot < 0 || exhibit.robot === player.robot;
+}
+
 /** The whole world at t. */
 function drawWorld(player) {
   const { view, run, t, colours, layers } = player;
   view.begin();
   drawGround(view, run.scene, colours);
-  const chosen = run.robots[player.robot];
-  if (chosen && layers.map !== 'off') for (const map of chosen.maps) drawMap(view, map, t, layers.map, colours);
+  const [field, layer] = (layers.field ?? '').split('\n');
+  for (const one of run.exhibits) {
+    if (one.of !== 'field' || one.name !== field || !isSeen(player, one)) continue;
+    const index = one.layers.findIndex((each) => each.name === layer);
+    if (index >= 0) drawField(view, run, one, t, index, colours);
+  }
   drawEdges(view, run.scene, colours);
   drawBeacons(view, run.scene, colours);
   if (layers.movers) drawMovers(view, run.scene, t, colours);
-  if (chosen && layers.attempts) drawAttempts(view, chosen, t, colours);
-  if (chosen && layers.route) drawRoutes(view, chosen, t, colours);
+  const shapes = shapesAt(run, t, (one) => isSeen(player, one) && layers[`marks-${one.name}`] !== false);
+  drawShapes(view, run, shapes, true, colours);
   const poses = run.robots.map((robot) => poseAt(robot, t, player.smooth));
   run.robots.forEach((robot, i) => {
     if (layers.trail && poses[i]) drawTrail(view, robot, poses[i].row, colours);
     drawStart(view, robot, colours);
   });
-  if (chosen && layers.goals) drawGoals(view, chosen, t, colours);
+  drawShapes(view, run, shapes, false, colours);
   run.robots.forEach((robot, i) => {
     if (!poses[i]) return;
     if (layers.sonar && (i === player.robot || run.robots.length <= 12)) drawSensors(view, robot, poses[i], colours);

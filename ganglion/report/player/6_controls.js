@@ -81,6 +81,7 @@ function refresh(player) {
   player.stale = false;
   drawWorld(player);
   drawBands(player);
+  drawPanels(player);
   showNow(player);
 }
 

@@ -9,8 +9,9 @@ function makePlayer(run) {
     run,
     view: new View($('stage'), run.bounds),
     bands: $('bands'),
+    panels: makePanels(run),
     duration: Math.max(run.duration, 1e-3),
-    colours: readColours(),
+    colours: readColours(run.roles),
     layers,
     robot: 0,
     t: 0,
@@ -26,7 +27,7 @@ function makePlayer(run) {
 function followSystem(player) {
   const dark = window.matchMedia('(prefers-color-scheme: dark)');
   dark.addEventListener('change', () => {
-    player.colours = readColours();
+    player.colours = readColours(player.run.roles);
     redraw(player);
   });
   const calm = window.matchMedia('(prefers-reduced-motion: reduce)');

@@ -50,7 +50,7 @@ void LiveFeed::write_row(int table, std::uint32_t tick, double time_s, std::span
 void LiveFeed::write_json(std::string_view topic, std::string_view schema_name, double time_s, std::string_view json) {
   Message message{std::string(topic), std::string(schema_name), time_s, std::string(json)};
   if (flush() && push(message)) return;
-  const auto older = !sample_kind_of(schema_name)
+  const auto older = !sample_kind_of(topic, schema_name)
                          ? kept_.end()
                          : std::find_if(kept_.begin(), kept_.end(), [&](const Message& m) { return m.topic == topic; });
   if (older != kept_.end()) {

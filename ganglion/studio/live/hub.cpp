@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ganglion/record/exhibit/exhibit_codec.h"
 #include "ganglion/studio/live/messages.h"
 
 namespace ganglion::studio {
@@ -59,16 +60,16 @@ Outgoing Viewer::next_rows() {
   return {std::make_shared<const std::string>(bundle_sample(rows)), true};
 }
 
-/// A map, route or mover that he has an older state of.
+/// A field, mover or whatever is shown that he has an older state of.
 std::optional<Outgoing> Viewer::next_state() {
   for (const auto& [stream, latest] : hub_.latest_) {
     std::uint32_t& has = sent_[stream];
     if (has == latest.seq) continue;
     const std::uint32_t base = has;
     has = latest.seq;
-    if (latest.kind != SampleKind::Grid) return Outgoing{latest.sample, true};
+    if (latest.kind != SampleKind::Field) return Outgoing{latest.sample, true};
     const SampleHead head{stream, latest.seq, latest.time_s};
-    return Outgoing{std::make_shared<const std::string>(latest.grid.sample(head, base)), true};
+    return Outgoing{std::make_shared<const std::string>(latest.field.sample(head, base)), true};
   }
   return std::nullopt;
 }
@@ -134,9 +135,9 @@ void Hub::take_rows() {
 }
 
 void Hub::take(LiveFeed::Message& message) {
-  if (const auto kind = sample_kind_of(message.schema)) {
+  if (const auto kind = sample_kind_of(message.topic, message.schema)) {
     take_state(message, *kind);
-  } else if (auto told = event_of(message.topic, message.schema, message.time_s, message.json)) {
+  } else if (auto told = event_of(message.schema, message.time_s, message.json)) {
     event(told->name, std::move(told->content));
   }
 }
@@ -146,14 +147,11 @@ void Hub::take_state(LiveFeed::Message& message, SampleKind kind) {
   Latest& latest = latest_[stream];
   latest.kind = kind;
   const SampleHead head{stream, latest.seq + 1, message.time_s};
-  if (kind == SampleKind::Grid) {
-    const bool first = latest.grid.layers().empty();
-    if (!latest.grid.take(message.json, latest.seq + 1)) return;
-    if (first) event("streams", {{"streams", streams_json()}, {"more", true}});
-  } else if (kind == SampleKind::Path) {
-    auto sample = path_sample(head, message.json);
-    if (!sample) return;
-    latest.sample = std::make_shared<const std::string>(std::move(*sample));
+  if (kind != SampleKind::Movers) {
+    const auto exhibit = decode_exhibit(message.json);
+    if (!exhibit || (kind == SampleKind::Field && !latest.field.take(*exhibit, head.seq))) return;
+    if (kind == SampleKind::Exhibit)
+      latest.sample = std::make_shared<const std::string>(exhibit_sample(head, *exhibit));
   } else {
     latest.sample = std::make_shared<const std::string>(movers_sample(head, message.json));
   }
@@ -163,7 +161,7 @@ void Hub::take_state(LiveFeed::Message& message, SampleKind kind) {
 
 std::uint16_t Hub::stream_of(const std::string& topic, SampleKind kind) {
   const auto [found, fresh] = streams_.try_emplace(topic, static_cast<std::uint16_t>(streams_.size() + 1));
-  if (fresh && announced_ && kind != SampleKind::Row && kind != SampleKind::Grid) {
+  if (fresh && announced_ && kind != SampleKind::Row) {
     latest_[found->second].kind = kind;
     event("streams", {{"streams", streams_json()}, {"more", true}});
   }
@@ -177,14 +175,13 @@ Json Hub::streams_json() const {
   for (const auto& [stream, topic] : by_number) {
     Json one = {{"stream", stream}, {"topic", topic}, {"kind", "row"}};
     one["columns"] = Json::array();
-    one["layers"] = Json::array();
     if (stream <= feed_->tables().size()) {
       for (const SignalColumn& column : feed_->tables()[stream - 1].columns) {
         one["columns"].push_back({{"name", column.name}, {"unit", column.unit}});
       }
     } else if (const auto latest = latest_.find(stream); latest != latest_.end()) {
       one["kind"] = name_of(latest->second.kind);
-      one["layers"] = latest->second.grid.layers();
+      if (const auto track = track_of(topic)) one["of"] = whose_json(*track);
     }
     list.push_back(std::move(one));
   }

@@ -86,11 +86,11 @@ class Hub {
   };
   /// A stream of which only the newest state counts.
   struct Latest {
-    SampleKind kind = SampleKind::Path;
+    SampleKind kind = SampleKind::Exhibit;
     std::uint32_t seq = 0;
     double time_s = 0;
-    GridState grid;
-    std::shared_ptr<const std::string> sample;  ///< Of paths and movers.
+    FieldState field;
+    std::shared_ptr<const std::string> sample;  ///< Of anything but fields.
   };
 
   void announce();

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <thread>
 
-#include "ganglion/base/base64.h"
+#include "ganglion/record/exhibit/exhibit_codec.h"
 #include "ganglion/studio/live/hub.h"
 #include "ganglion/studio/live/messages.h"
 #include "ganglion/studio/live/run_session.h"
@@ -19,18 +19,30 @@ T at(const std::string& bytes, std::size_t offset) {
   return value;
 }
 
-/// A map of three columns and two rows with one layer.
-std::string grid_json(const std::vector<std::uint8_t>& cells) {
-  return R"({"pose":{"position":{"x":-1,"y":-2}},"column_count":3,"cell_size":{"x":0.5,"y":0.5},"fields":[{"name":"risk"}],"data":")" +
-         base64(cells) + "\"}";
+constexpr std::uint8_t kNone = shown::kUnknownCell;
+constexpr std::size_t kCells = 16 + 40;  // where a field's sample lists its cells
+
+/// A field of three columns and two rows with one layer.
+shown::Exhibit field_of(std::vector<std::uint8_t> cells) {
+  shown::Field field;
+  field.frame = "world";
+  field.origin = {-1, -2};
+  field.cell = {0.5, 0.5};
+  field.columns = 3;
+  field.rows = 2;
+  field.layers.push_back({.name = "heat", .title = {"Heat", "Calor"}});
+  field.cells = {std::move(cells)};
+  return {{"Map", "Mapa"}, std::move(field)};
 }
+
+std::uint32_t cells_in(const std::string& sample) { return at<std::uint32_t>(sample, 48); }
 
 /// What a page holds after applying a sample.
 void apply_sample(const std::string& sample, std::vector<std::uint8_t>& cells) {
-  if (at<std::uint32_t>(sample, 16) == 0) cells.assign(6, 0);
-  const auto count = at<std::uint32_t>(sample, 56);
+  if (at<std::uint32_t>(sample, 16) == 0) cells.assign(6, kNone);
+  const auto count = cells_in(sample);
   for (std::uint32_t i = 0; i < count; ++i) {
-    cells.at(at<std::uint32_t>(sample, 60 + 4 * i)) = at<std::uint8_t>(sample, 60 + 4 * count + i);
+    cells.at(at<std::uint32_t>(sample, kCells + 4 * i)) = at<std::uint8_t>(sample, kCells + 4 * count + i);
   }
 }
 
@@ -45,11 +57,11 @@ TEST(OutcomeJson, TellsOfSuccessOnlyWhereSomebodyJudged) {
   EXPECT_EQ(success(ganglion::Verdict::Succeeded), Json(true));
 }
 
-TEST(GridState, TellsTheWholeAndThenWhatChanged) {
-  GridState grid;
-  ASSERT_TRUE(grid.take(grid_json({0, 1, 0, 0, 2, 0}), 1));
-  const std::string whole = grid.sample({7, 1, 0.5}, 0);
-  EXPECT_EQ(at<std::uint8_t>(whole, 0), 2);
+TEST(FieldState, TellsTheWholeAndThenWhatChanged) {
+  FieldState field;
+  ASSERT_TRUE(field.take(field_of({kNone, 1, kNone, kNone, 2, kNone}), 1));
+  const std::string whole = field.sample({7, 1, 0.5}, 0);
+  EXPECT_EQ(at<std::uint8_t>(whole, 0), 6);
   EXPECT_EQ(at<std::uint16_t>(whole, 2), 7);
   EXPECT_EQ(at<std::uint32_t>(whole, 4), 1u);
   EXPECT_EQ(at<double>(whole, 8), 0.5);
@@ -57,41 +69,49 @@ TEST(GridState, TellsTheWholeAndThenWhatChanged) {
   EXPECT_EQ(at<std::uint32_t>(whole, 24), 2u);
   EXPECT_EQ(at<double>(whole, 28), -1);
   EXPECT_EQ(at<double>(whole, 36), -2);
-  EXPECT_EQ(at<double>(whole, 44), 0.5);
-  EXPECT_EQ(at<std::uint32_t>(whole, 52), 1u);
-  EXPECT_EQ(at<std::uint32_t>(whole, 56), 2u) << "cells that are 0 are not told";
-  ASSERT_TRUE(grid.take(grid_json({0, 1, 9, 0, 0, 0}), 2));
-  const std::string delta = grid.sample({7, 2, 1}, 1);
+  EXPECT_EQ(at<std::uint32_t>(whole, 44), 1u);
+  EXPECT_EQ(cells_in(whole), 2u) << "cells that are unknown are not told";
+  const Json words = Json::parse(whole.substr(kCells + 2 * 5));
+  EXPECT_EQ(whole.size(), kCells + 2 * 5 + at<std::uint32_t>(whole, 52));
+  EXPECT_EQ(words["title"]["es"], "Mapa");
+  EXPECT_EQ(words["layers"][0]["title"]["es"], "Calor");
+  EXPECT_EQ(words["cell"], Json({0.5, 0.5}));
+  ASSERT_TRUE(field.take(field_of({kNone, 1, 9, kNone, kNone, kNone}), 2));
+  const std::string delta = field.sample({7, 2, 1}, 1);
   EXPECT_EQ(at<std::uint32_t>(delta, 16), 1u);
-  EXPECT_EQ(at<std::uint32_t>(delta, 56), 2u) << "one cell that came, one that went back to 0";
+  EXPECT_EQ(cells_in(delta), 2u) << "one cell that came, one that is unknown again";
+  EXPECT_EQ(at<std::uint32_t>(delta, 52), 0u) << "words are told once";
   std::vector<std::uint8_t> page;
   apply_sample(whole, page);
   apply_sample(delta, page);
-  EXPECT_EQ(page, (std::vector<std::uint8_t>{0, 1, 9, 0, 0, 0}));
+  EXPECT_EQ(page, (std::vector<std::uint8_t>{kNone, 1, 9, kNone, kNone, kNone}));
 }
 
-TEST(GridState, GivesTheSameToOneWhoMissedStatesBetween) {
-  GridState grid;
+TEST(FieldState, TakesPatches) {
+  FieldState field;
+  EXPECT_FALSE(field.take({{}, shown::Patch{0, 0, 1, 1, {{5}}}}, 1)) << "of nothing";
+  ASSERT_TRUE(field.take(field_of({1, 2, 3, 4, 5, 6}), 1));
+  ASSERT_TRUE(field.take({{}, shown::Patch{1, 1, 2, 1, {{8, 9}}}}, 2));
+  EXPECT_FALSE(field.take({{}, shown::Patch{2, 1, 2, 1, {{8, 9}}}}, 3));
+  EXPECT_FALSE(field.take({{}, shown::Marks{}}, 3));
+  EXPECT_EQ(field.seq(), 2u);
+  std::vector<std::uint8_t> page(6, 0);
+  apply_sample(field.sample({1, 2, 0}, 1), page);
+  EXPECT_EQ(page, (std::vector<std::uint8_t>{0, 0, 0, 0, 8, 9}));
+}
+
+TEST(FieldState, GivesTheSameToOneWhoMissedStatesBetween) {
+  FieldState field;
   std::vector<std::uint8_t> cells(6, 0), page;
-  grid.take(grid_json(cells), 1);
-  apply_sample(grid.sample({1, 1, 0}, 0), page);
+  field.take(field_of(cells), 1);
+  apply_sample(field.sample({1, 1, 0}, 0), page);
   for (std::uint32_t seq = 2; seq < 6; ++seq) {
     cells[seq] = static_cast<std::uint8_t>(seq);
     cells[0] = static_cast<std::uint8_t>(seq * 10);
-    grid.take(grid_json(cells), seq);
+    field.take(field_of(cells), seq);
   }
-  apply_sample(grid.sample({1, 5, 0}, 1), page);
+  apply_sample(field.sample({1, 5, 0}, 1), page);
   EXPECT_EQ(page, cells);
-}
-
-TEST(GridState, LeavesWhatIsNoMapAlone) {
-  GridState grid;
-  grid.take(grid_json({1, 2, 3, 4, 5, 6}), 1);
-  for (const char* bad : {"", "{}", "[]", R"({"data":"!"})", R"({"data":"AA==","column_count":0,"fields":[{}]})",
-                          R"({"data":"AAAA","column_count":2,"fields":[{"name":"a"}]})"}) {
-    EXPECT_FALSE(grid.take(bad, 2)) << bad;
-  }
-  EXPECT_EQ(grid.seq(), 1u);
 }
 
 TEST(LiveFeed, NeverWaitsForSomebodyWhoDoesNotLook) {
@@ -111,12 +131,12 @@ TEST(LiveFeed, NeverWaitsForSomebodyWhoDoesNotLook) {
   EXPECT_EQ(feed.row()->seq, 100'001u) << "the gap tells that some were left out";
 }
 
-TEST(LiveFeed, LosesNoEventAndKeepsTheNewestMap) {
+TEST(LiveFeed, LosesNoEventAndKeepsTheNewestState) {
   LiveFeed feed;
   feed.arm();
   for (int i = 0; i < 3000; ++i) {
     feed.write_json("/log", "foxglove.Log", i, "{}");
-    feed.write_json("/robot0/map/m", "foxglove.Grid", i, "{}");
+    feed.write_exhibit("/robot0/exhibit/m/field/map", i, "...");
   }
   int logs = 0;
   double newest_s = 0;
@@ -160,7 +180,7 @@ TEST(LiveFeed, HandsRowsWholeFromOneThreadToAnother) {
 }
 
 TEST(RunEvent, SaysALineOfTheLogInBothLanguages) {
-  const auto said = [](const char* json) { return event_of("/log", "foxglove.Log", 1, json)->content["message_es"]; };
+  const auto said = [](const char* json) { return event_of("foxglove.Log", 1, json)->content["message_es"]; };
   EXPECT_EQ(said(R"({"message":"reached","message_es":"alcanzado"})"), "alcanzado");
   EXPECT_EQ(said(R"({"message":"reached"})"), "reached") << "older files hold English only";
   EXPECT_EQ(said(R"({"message":3})"), "");
@@ -206,10 +226,10 @@ TEST_F(HubTest, SparesASlowViewerOldRowsButNoEvent) {
   EXPECT_EQ(last, 1999u) << "of rows the newest";
 }
 
-TEST_F(HubTest, SendsAMapToALateViewerWholeAndToOthersWhatChanged) {
+TEST_F(HubTest, SendsAFieldToALateViewerWholeAndToOthersWhatChanged) {
   Viewer early(hub_, [] {});
   early.next();
-  feed_->write_json("/robot0/map/m", "foxglove.Grid", 1, grid_json({1, 0, 0, 0, 0, 0}));
+  feed_->write_exhibit("/robot0/exhibit/m/field/map", 1, encode(field_of({1, kNone, kNone, kNone, kNone, kNone})));
   hub_.drain();
   std::vector<std::uint8_t> page;
   const auto take = [&](Viewer& viewer) {
@@ -217,17 +237,33 @@ TEST_F(HubTest, SendsAMapToALateViewerWholeAndToOthersWhatChanged) {
     while (const auto out = viewer.next()) {
       if (!out->binary) continue;
       apply_sample(*out->bytes, page);
-      cells = at<std::uint32_t>(*out->bytes, 56);
+      cells = cells_in(*out->bytes);
     }
     return cells;
   };
   EXPECT_EQ(take(early), 1u);
-  feed_->write_json("/robot0/map/m", "foxglove.Grid", 2, grid_json({1, 2, 3, 0, 0, 0}));
+  feed_->write_exhibit("/robot0/exhibit/m/field/map", 2, encode(field_of({1, 2, 3, kNone, kNone, kNone})));
   hub_.drain();
   EXPECT_EQ(take(early), 2u);
-  EXPECT_EQ(page, (std::vector<std::uint8_t>{1, 2, 3, 0, 0, 0}));
+  EXPECT_EQ(page, (std::vector<std::uint8_t>{1, 2, 3, kNone, kNone, kNone}));
   Viewer late(hub_, [] {});
   EXPECT_EQ(take(late), 3u);
+}
+
+TEST_F(HubTest, TellsWhoShowsWhatAndWhatItIsInBothLanguages) {
+  Viewer viewer(hub_, [] {});
+  viewer.next();
+  feed_->write_exhibit("/robot0/exhibit/all/marks/goals", 1, encode({{"Goals", "Objetivos"}, shown::Marks{}}));
+  feed_->write_exhibit("/robot0/exhibit/all/marks/bad", 1, "no message");
+  hub_.drain();
+  Json streams, told;
+  while (const auto out = viewer.next()) {
+    if (out->binary && at<std::uint8_t>(*out->bytes, 0) == 7) told = Json::parse(out->bytes->substr(16));
+    if (!out->binary) streams = Json::parse(*out->bytes)["streams"];
+  }
+  EXPECT_EQ(told["title"]["es"], "Objetivos");
+  EXPECT_EQ(streams[1]["kind"], "exhibit");
+  EXPECT_EQ(streams[1]["of"], Json({{"robot", 0}, {"owner", "all"}, {"form", "marks"}, {"name", "goals"}}));
 }
 
 TEST_F(HubTest, ResumesWhereAViewerWas) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "ganglion/plot/from_run_file.h"
 #include "ganglion/studio/live/messages.h"
 
 namespace ganglion::studio {
@@ -29,7 +30,7 @@ Json events_of(const RunFile& file) {
   std::size_t bytes = 0;
   for (const auto& [topic, messages] : file.json) {
     for (const JsonMessage& message : messages.messages) {
-      auto event = event_of(topic, messages.schema_name, message.time_s, message.text);
+      auto event = event_of(messages.schema_name, message.time_s, message.text);
       if (!event) continue;
       bytes += message.text.size();
       if (events.size() >= kMostEvents || bytes > kMostEventBytes) break;
@@ -53,48 +54,53 @@ void add_rows(const SignalTable& table, std::uint16_t stream, double from_s, dou
   }
 }
 
-void add_grids(const JsonTopic& topic, std::uint16_t stream, double from_s, double to_s, std::vector<Timed>& samples) {
-  GridState grid;
-  std::uint32_t seq = 0, told = 0;
-  for (const JsonMessage& message : topic.messages) {
-    if (message.time_s > to_s) break;
-    if (!grid.take(message.text, ++seq)) continue;
-    const auto next = &message + 1;
-    const bool last_before =
-        message.time_s < from_s && (next == topic.messages.data() + topic.messages.size() || next->time_s > from_s);
-    if (message.time_s < from_s && !last_before) continue;
-    samples.push_back({message.time_s, grid.sample({stream, seq, message.time_s}, told)});
+/// Of what counts from its time on: those in the time asked for, and the last one before.
+template <class Use>
+void for_each_between(const std::vector<double>& times_s, double from_s, double to_s, Use use) {
+  for (std::size_t i = 0; i < times_s.size() && times_s[i] <= to_s; ++i) {
+    const bool over = i + 1 < times_s.size() && times_s[i + 1] <= from_s;
+    use(i, !over);
+  }
+}
+
+void add_field(const ExhibitTrack& track, std::uint16_t stream, double from_s, double to_s,
+               std::vector<Timed>& samples) {
+  FieldState field;
+  std::uint32_t told = 0;
+  for_each_between(track.times_s, from_s, to_s, [&](std::size_t i, bool asked) {
+    const auto seq = static_cast<std::uint32_t>(i + 1);
+    if (!field.take(track.states[i], seq) || !asked) return;
+    samples.push_back({track.times_s[i], field.sample({stream, seq, track.times_s[i]}, told)});
     told = seq;
-  }
+  });
 }
 
-void add_newest(const JsonTopic& topic, SampleKind kind, std::uint16_t stream, double from_s, double to_s,
-                std::vector<Timed>& samples) {
-  for (std::size_t i = 0; i < topic.messages.size(); ++i) {
-    const JsonMessage& message = topic.messages[i];
-    const bool over = i + 1 < topic.messages.size() && topic.messages[i + 1].time_s <= from_s;
-    if (message.time_s > to_s || over) continue;
-    const SampleHead head{stream, static_cast<std::uint32_t>(i + 1), message.time_s};
-    if (kind == SampleKind::Movers) {
-      samples.push_back({message.time_s, movers_sample(head, message.text)});
-    } else if (auto sample = path_sample(head, message.text)) {
-      samples.push_back({message.time_s, std::move(*sample)});
-    }
-  }
+void add_exhibit(const ExhibitTrack& track, std::uint16_t stream, double from_s, double to_s,
+                 std::vector<Timed>& samples) {
+  for_each_between(track.times_s, from_s, to_s, [&](std::size_t i, bool asked) {
+    if (!asked) return;
+    const SampleHead head{stream, static_cast<std::uint32_t>(i + 1), track.times_s[i]};
+    samples.push_back({head.time_s, exhibit_sample(head, track.states[i])});
+  });
 }
 
-std::vector<std::string> layers_of(const JsonTopic& topic) {
-  GridState grid;
-  return !topic.messages.empty() && grid.take(topic.messages.front().text, 1) ? grid.layers()
-                                                                              : std::vector<std::string>{};
+void add_movers(const JsonTopic& topic, std::uint16_t stream, double from_s, double to_s, std::vector<Timed>& samples) {
+  std::vector<double> times_s;
+  for (const JsonMessage& message : topic.messages) times_s.push_back(message.time_s);
+  for_each_between(times_s, from_s, to_s, [&](std::size_t i, bool asked) {
+    if (!asked) return;
+    const SampleHead head{stream, static_cast<std::uint32_t>(i + 1), times_s[i]};
+    samples.push_back({head.time_s, movers_sample(head, topic.messages[i].text)});
+  });
 }
 
 }  // namespace
 
 RecordingView::RecordingView(RunFile file) : file_(std::move(file)) {
-  auto stream = static_cast<std::uint16_t>(file_.tables.size());
+  std::size_t unread = 0;
+  exhibits_ = plot::exhibits_of(file_, unread);
   for (const auto& [topic, messages] : file_.json) {
-    if (sample_kind_of(messages.schema_name)) topics_.push_back({++stream, topic, &messages});
+    if (sample_kind_of(topic, messages.schema_name) == SampleKind::Movers) movers_ = &messages;
   }
 }
 
@@ -115,18 +121,22 @@ Json RecordingView::head(Language language) const {
     for (const SignalColumn& column : file_.tables[i].columns) {
       columns.push_back({{"name", column.name}, {"unit", column.unit}});
     }
-    streams.push_back({{"stream", i + 1},
-                       {"topic", file_.tables[i].topic},
-                       {"kind", "row"},
-                       {"columns", std::move(columns)},
-                       {"layers", Json::array()}});
+    streams.push_back(
+        {{"stream", i + 1}, {"topic", file_.tables[i].topic}, {"kind", "row"}, {"columns", std::move(columns)}});
   }
-  for (const Topic& topic : topics_) {
-    streams.push_back({{"stream", topic.stream},
-                       {"topic", topic.topic},
-                       {"kind", name_of(*sample_kind_of(topic.messages->schema_name))},
+  if (movers_ != nullptr) {
+    streams.push_back({{"stream", file_.tables.size() + 1},
+                       {"topic", "/movers"},
+                       {"kind", name_of(SampleKind::Movers)},
+                       {"columns", Json::array()}});
+  }
+  for (std::size_t i = 0; i < exhibits_.size(); ++i) {
+    const ExhibitTrack& track = exhibits_[i];
+    streams.push_back({{"stream", stream_of(i)},
+                       {"topic", exhibit_topic(track.owner, track.form, track.name)},
+                       {"kind", name_of(track.form == "field" ? SampleKind::Field : SampleKind::Exhibit)},
                        {"columns", Json::array()},
-                       {"layers", layers_of(*topic.messages)}});
+                       {"of", whose_json(track)}});
   }
   return {{"info", latest_of(file_, "/run")}, {"scene", latest_of(file_, "/scene")}, {"streams", std::move(streams)},
           {"events", events_of(file_)},       {"duration_s", duration_s()},          {"tick_s", file_.info.tick_s},
@@ -135,13 +145,12 @@ Json RecordingView::head(Language language) const {
 
 std::string RecordingView::samples(double from_s, double to_s, std::size_t every) const {
   std::vector<Timed> samples;
-  for (const Topic& topic : topics_) {
-    const SampleKind kind = *sample_kind_of(topic.messages->schema_name);
-    if (kind == SampleKind::Grid) {
-      add_grids(*topic.messages, topic.stream, from_s, to_s, samples);
-    } else {
-      add_newest(*topic.messages, kind, topic.stream, from_s, to_s, samples);
-    }
+  if (movers_ != nullptr) {
+    add_movers(*movers_, static_cast<std::uint16_t>(file_.tables.size() + 1), from_s, to_s, samples);
+  }
+  for (std::size_t i = 0; i < exhibits_.size(); ++i) {
+    const auto add = exhibits_[i].form == "field" ? add_field : add_exhibit;
+    add(exhibits_[i], stream_of(i), from_s, to_s, samples);
   }
   for (std::size_t i = 0; i < file_.tables.size(); ++i) {
     add_rows(file_.tables[i], static_cast<std::uint16_t>(i + 1), from_s, to_s, std::max<std::size_t>(1, every),

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "ganglion/record/exhibit/track.h"
 #include "ganglion/record/run_file.h"
 
 namespace ganglion::studio {
@@ -17,22 +18,21 @@ class RecordingView {
 
   /// docs/studio_api.md, /api/recording/open; without "run"; damages in that language.
   Json head(Language language) const;
-  /// Samples with from_s <= t <= to_s in order of time, each behind its length as u32; of rows every nth. Maps begin
-  /// with their whole state at from_s.
+  /// Samples with from_s <= t <= to_s in order of time, each behind its length as u32; of rows every nth. Fields
+  /// begin with their whole state at from_s.
   std::string samples(double from_s, double to_s, std::size_t every) const;
   /// The controller it was made with; "" where the file does not hold it.
   std::string controller() const;
 
  private:
-  struct Topic {
-    std::uint16_t stream;
-    std::string topic;
-    const JsonTopic* messages;
-  };
   double duration_s() const;
+  std::uint16_t stream_of(std::size_t exhibit) const noexcept {
+    return static_cast<std::uint16_t>(file_.tables.size() + 2 + exhibit);
+  }
 
   RunFile file_;
-  std::vector<Topic> topics_;  ///< Of samples that are no rows.
+  const JsonTopic* movers_ = nullptr;
+  std::vector<ExhibitTrack> exhibits_;
 };
 
 }  // namespace ganglion::studio

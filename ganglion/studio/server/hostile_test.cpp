@@ -201,16 +201,13 @@ TEST_F(Hostile, RefusesAnEditThatWouldTakeForever) {
   EXPECT_EQ(answer.json()["error"]["code"], "TooLarge");
 }
 
-TEST(HostileGrid, IsNoMap) {
-  GridState grid;
-  const std::string data = R"("data":"AAAA",)";
-  for (const char* rest :
-       {R"("column_count":-1,"fields":[{"name":"a"}]})", R"("column_count":1e300,"fields":[{"name":"a"}]})",
-        R"("column_count":1,"fields":[]})", R"("column_count":0.5,"fields":[{"name":"a"}]})"}) {
-    EXPECT_FALSE(grid.take("{" + data + rest, 1)) << rest;
-  }
-  EXPECT_TRUE(grid.take("{" + data + R"("column_count":1,"fields":[{"name":7}],"pose":"x","cell_size":[]})", 1));
-  EXPECT_FALSE(grid.take(repeated("[", 1'000'000), 1));
+TEST(HostileRecording, ShowsNothingOfWhatIsNoExhibit) {
+  RunFile file;
+  file.exhibits["/robot0/exhibit/a/field/map"] = {{0, "no message"}, {1, std::string(1000, '\xff')}};
+  file.exhibits["/robot0/exhibit/a/marks/" + std::string(100'000, 'x')] = {{0, ""}};
+  const RecordingView view(std::move(file));
+  EXPECT_TRUE(view.head(Language::English)["streams"].empty());
+  EXPECT_TRUE(view.samples(0, 1e9, 1).empty());
 }
 
 }  // namespace

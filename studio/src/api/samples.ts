@@ -1,24 +1,26 @@
+import type { Exhibit, FieldWords } from './exhibits';
+
 /** One sample of a stream (docs/studio_api.md, Samples); the numbers of a row or path may be the message's own. */
 export type Sample = { stream: number; seq: number; t: number } & (
   | { kind: 'row'; tick: number; values: Float64Array }
-  | { kind: 'grid'; base: number; grid: GridChange }
-  | { kind: 'path'; points: Float64Array }
+  | { kind: 'field'; base: number; field: FieldChange }
+  | { kind: 'exhibit'; exhibit: Exhibit }
   | { kind: 'movers'; movers: { id: string; x_m: number; y_m: number; yaw_rad: number }[] }
 );
 
-/** Cells that are new or changed: all layers of each, one byte a layer, 255 = 1. */
-export interface GridChange {
+/** Cells that are new or changed: all layers of each, one byte a layer. Words only of a field as a whole. */
+export interface FieldChange {
   columns: number;
   rows: number;
   origin: [number, number];
-  cell_m: number;
   layers: number;
   cells: Uint32Array;
   values: Uint8Array;
+  words: FieldWords | null;
 }
 
 const kHeader = 16;
-const kGridHeader = 44;
+const kFieldHeader = 40;
 
 const kLittleEndian = new Uint8Array(Uint16Array.of(1).buffer)[0] === 1;
 
@@ -32,22 +34,29 @@ function floats(view: DataView, at: number, count: number): Float64Array {
   return values;
 }
 
-function gridOf(view: DataView, at: number): { base: number; grid: GridChange } {
-  const layers = view.getUint32(at + 36, true);
-  const count = view.getUint32(at + 40, true);
+function jsonAt(view: DataView, at: number, bytes = view.byteLength - at) {
+  return JSON.parse(new TextDecoder().decode(new Uint8Array(view.buffer, view.byteOffset + at, bytes)));
+}
+
+function fieldOf(view: DataView, at: number): { base: number; field: FieldChange } {
+  const layers = view.getUint32(at + 28, true);
+  const count = view.getUint32(at + 32, true);
+  const words = view.getUint32(at + 36, true);
   const cells = new Uint32Array(count);
-  for (let i = 0; i < count; i += 1) cells[i] = view.getUint32(at + kGridHeader + 4 * i, true);
-  const start = view.byteOffset + at + kGridHeader + 4 * count;
-  const grid = {
+  for (let i = 0; i < count; i += 1) cells[i] = view.getUint32(at + kFieldHeader + 4 * i, true);
+  const start = at + kFieldHeader + 4 * count;
+  const end = start + count * layers;
+  if (end + words > view.byteLength) throw new RangeError('cut short');
+  const field = {
     columns: view.getUint32(at + 4, true),
     rows: view.getUint32(at + 8, true),
     origin: [view.getFloat64(at + 12, true), view.getFloat64(at + 20, true)] as [number, number],
-    cell_m: view.getFloat64(at + 28, true),
     layers,
     cells,
-    values: new Uint8Array(view.buffer.slice(start, start + count * layers)),
+    values: new Uint8Array(view.buffer.slice(view.byteOffset + start, view.byteOffset + end)),
+    words: words > 0 ? (jsonAt(view, end, words) as FieldWords) : null,
   };
-  return { base: view.getUint32(at, true), grid };
+  return { base: view.getUint32(at, true), field };
 }
 
 /** null: not one that this page understands, or cut short. */
@@ -60,14 +69,12 @@ export function decodeSample(view: DataView): Sample | null {
         const count = view.getUint32(kHeader + 4, true);
         return { ...head, kind: 'row', tick: view.getUint32(kHeader, true), values: floats(view, kHeader + 8, count) };
       }
-      case 2:
-        return { ...head, kind: 'grid', ...gridOf(view, kHeader) };
-      case 3:
-        return { ...head, kind: 'path', points: floats(view, kHeader + 4, 2 * view.getUint32(kHeader, true)) };
-      case 4: {
-        const bytes = new Uint8Array(view.buffer, view.byteOffset + kHeader, view.byteLength - kHeader);
-        return { ...head, kind: 'movers', movers: JSON.parse(new TextDecoder().decode(bytes)).movers };
-      }
+      case 4:
+        return { ...head, kind: 'movers', movers: jsonAt(view, kHeader).movers };
+      case 6:
+        return { ...head, kind: 'field', ...fieldOf(view, kHeader) };
+      case 7:
+        return { ...head, kind: 'exhibit', exhibit: jsonAt(view, kHeader) };
       default:
         return null;
     }

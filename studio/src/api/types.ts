@@ -1,4 +1,5 @@
 // What the server says: docs/studio_api.md. Angles in rad, lengths in m, times in s of the run.
+import type { Whose } from './exhibits';
 
 export type ComponentClass = 'goal' | 'sensation' | 'sensing' | 'acting' | 'coordinator';
 export type Language = 'en' | 'es';
@@ -203,9 +204,10 @@ export interface RunState {
 export interface Stream {
   stream: number;
   topic: string;
-  kind: 'row' | 'grid' | 'path' | 'movers';
+  kind: 'row' | 'field' | 'exhibit' | 'movers';
   columns: { name: string; unit: string }[];
-  layers: string[];
+  /** Of what is shown: who shows it. */
+  of?: Whose;
 }
 
 export interface Shape {
@@ -254,26 +256,15 @@ export interface RobotInfo {
     cone_rad: number;
     max_range_m: number;
     signal: string;
-    /** Of a trainer: the side of the cells that its goals are. */
-    cell_m?: number;
   }[];
+  /** Side of the cells that a goal set by hand can be; none where nobody takes one. */
+  goal_cell_m?: number;
 }
 
 export interface Info {
   robots: RobotInfo[];
   coordinators: { id: string; candidates: string[] }[];
   cell_m: number;
-}
-
-export interface GoalEvent {
-  event: 'goal';
-  robot: number;
-  time_s: number;
-  index: number;
-  x_m: number;
-  y_m: number;
-  state: string;
-  reason: string;
 }
 
 /** Somebody reached into the running world: set a goal, or put an obstacle elsewhere. */
@@ -302,7 +293,6 @@ export type StudioEvent =
   | { event: 'streams'; streams: Stream[]; scene: Scene | null; info: Info | null; more?: boolean }
   | { event: 'file'; path: string; hash: string }
   | ({ event: 'link' } & LinkTest)
-  | GoalEvent
   | InterventionEvent
   | LogEvent;
 
@@ -322,7 +312,7 @@ export interface Recording {
   info: Info;
   scene: Scene | null;
   streams: Stream[];
-  events: (GoalEvent | InterventionEvent | LogEvent)[];
+  events: (InterventionEvent | LogEvent)[];
   duration_s: number;
   run: RunFile;
   damages: string[];

@@ -10,7 +10,9 @@ import { loadRecording } from '../state/recordings';
 import { filesChanged, useRun } from '../state/run';
 import { Timeline } from '../state/timeline';
 import { complain, say, toast } from '../state/workbench';
+import { isNote, logWords } from '../text/log';
 import { text } from '../text/text';
+import { useSettings } from '../theme/settings';
 import { outcomeWords, verdict } from './verdict';
 
 const { getState: get, setState: set } = useRun;
@@ -58,17 +60,14 @@ function takeEvent(event: StudioEvent): void {
       if (event.more) get().live?.addStreams(event.streams);
       else showLive(new Timeline(event.streams, event.scene, event.info));
       break;
-    case 'goal':
-      if (event.state === 'reached') say(text().run.goal_reached);
-      get().live?.addEvent(event);
-      player.tellEvent();
-      break;
     case 'intervention':
       get().live?.addEvent(event);
       player.tellEvent();
       break;
     case 'log':
+      if (isNote(event)) say(logWords(event, useSettings.getState().language));
       get().live?.addEvent(event);
+      player.tellEvent();
       break;
     case 'link':
       set({ linkTest: event });

@@ -1,6 +1,7 @@
+import type { Exhibit, Whose } from '../api/exhibits';
 import type { Sample } from '../api/samples';
-import type { GoalEvent, Info, InterventionEvent, LogEvent, Scene, Stream } from '../api/types';
-import { MapTrack } from './map_track';
+import type { Info, InterventionEvent, LogEvent, Scene, Stream } from '../api/types';
+import { FieldTrack } from './field_track';
 import { indexAt, RowTrack, thinned } from './rows';
 
 /** Things that each hold from their time on. */
@@ -28,9 +29,9 @@ class Track<T> {
 // What a run that goes on for hours may take: what is older is kept in coarser steps.
 const kRowBytes = 24 << 20; // of all robots together
 const kLeastRows = 1800; // if each robot can have fewer, only the first keeps all of its columns
-const kMapBytes = 16 << 20;
+const kFieldBytes = 16 << 20;
 const kMostMoves = 4000;
-const kMostRoutes = 4000;
+const kMostStates = 4000; // of one thing that is shown
 const kMostEvents = 10_000;
 
 export type Mover = { id: string; x_m: number; y_m: number; yaw_rad: number };
@@ -44,10 +45,9 @@ function append<T>(list: T[], one: T): void {
 /** All that is known of one run: live runs grow it, recordings fill it at once, and both are looked at by time. */
 export class Timeline {
   readonly robots: RowTrack[] = [];
-  readonly maps: { topic: string; layers: string[]; track: MapTrack }[] = [];
-  readonly paths: { topic: string; track: Track<Float64Array> }[] = [];
+  readonly fields: { of: Whose; track: FieldTrack }[] = [];
+  readonly exhibits: { of: Whose; track: Track<Exhibit> }[] = [];
   readonly movers = new Track<Mover[]>(kMostMoves);
-  readonly goals: GoalEvent[] = [];
   readonly logs: LogEvent[] = [];
   readonly interventions: InterventionEvent[] = [];
   end = 0;
@@ -63,7 +63,7 @@ export class Timeline {
     this.addStreams(streams);
   }
 
-  /** Those that are new: maps and routes may come to a run that goes on. */
+  /** Those that are new: what is shown may come to a run that goes on. */
   addStreams(streams: Stream[]): void {
     const fresh = streams.filter((stream) => !this.takers.has(stream.stream));
     const rows = fresh.filter((stream) => stream.kind === 'row');
@@ -87,15 +87,16 @@ export class Timeline {
       this.robots.push(track);
       return (sample) => sample.kind === 'row' && track.add(sample.t, sample.values);
     }
-    if (stream.kind === 'grid') {
-      const track = new MapTrack(kMapBytes);
-      this.maps.push({ topic: stream.topic, layers: stream.layers, track });
-      return (sample) => sample.kind === 'grid' && track.add(sample.t, sample.base, sample.grid);
+    const { of } = stream;
+    if (stream.kind === 'field' && of) {
+      const track = new FieldTrack(kFieldBytes);
+      this.fields.push({ of, track });
+      return (sample) => sample.kind === 'field' && track.add(sample.t, sample.base, sample.field);
     }
-    if (stream.kind === 'path') {
-      const track = new Track<Float64Array>(kMostRoutes);
-      this.paths.push({ topic: stream.topic, track });
-      return (sample) => sample.kind === 'path' && track.add(sample.t, sample.points);
+    if (stream.kind === 'exhibit' && of) {
+      const track = new Track<Exhibit>(kMostStates);
+      this.exhibits.push({ of, track });
+      return (sample) => sample.kind === 'exhibit' && track.add(sample.t, sample.exhibit);
     }
     return (sample) => sample.kind === 'movers' && this.movers.add(sample.t, sample.movers);
   }
@@ -105,9 +106,8 @@ export class Timeline {
     this.end = Math.max(this.end, sample.t);
   }
 
-  addEvent(event: GoalEvent | InterventionEvent | LogEvent): void {
-    if (event.event === 'goal') append(this.goals, event);
-    else if (event.event === 'log') append(this.logs, event);
+  addEvent(event: InterventionEvent | LogEvent): void {
+    if (event.event === 'log') append(this.logs, event);
     else {
       append(this.interventions, event);
       this.end = Math.max(this.end, event.time_s); // it is told at once, before the tick it counts for

@@ -64,25 +64,6 @@ export function drawTrail(view: View, track: RowTrack, t: number, colours: World
   view.stroke(colours.line, 1);
 }
 
-/** Steps that met something: yellow dotted lines ahead of where the robot stood. */
-export function drawAttempts(view: View, track: RowTrack, t: number, reach_m: number, colours: WorldColours): void {
-  const [cx, cy, cyaw, touch] = ['x_m', 'y_m', 'yaw_rad', 'touching'].map((name) => track.columns.get(`truth.${name}`));
-  if (cx === undefined || cy === undefined || cyaw === undefined || touch === undefined) return;
-  const last = track.at(t);
-  view.context.beginPath();
-  let before = 0;
-  for (let i = Math.max(0, last - kMostTrailPoints); i <= last; i += 1) {
-    const touching = track.value(i, touch);
-    if (touching === 1 && before !== 1) {
-      const [x, y, yaw] = [track.value(i, cx), track.value(i, cy), track.value(i, cyaw)];
-      view.context.moveTo(view.x(x), view.y(y));
-      view.context.lineTo(view.x(x + reach_m * Math.cos(yaw)), view.y(y + reach_m * Math.sin(yaw)));
-    }
-    before = touching;
-  }
-  view.stroke(colours.attempt, 2.5, [2, 4]);
-}
-
 function sector(view: View, x: number, y: number, range_m: number, cone: number, yaw: number): void {
   view.context.beginPath();
   view.context.moveTo(view.x(x), view.y(y));

@@ -1,28 +1,25 @@
 import { player, usePlayer } from '../state/player';
+import { isNote, logWords } from '../text/log';
 import { useText } from '../text/text';
 import { useSettings } from '../theme/settings';
 import { interventionWords } from './reach';
 
 const kMost = 60;
 
-/** Goals, withdrawals and what somebody did to the world: a click goes to their time. */
+/** What was noted, withdrawals, and what somebody did to the world: a click goes to their time. */
 export function Events() {
   const text = useText();
-  const spanish = useSettings((settings) => settings.language === 'es');
+  const language = useSettings((settings) => settings.language);
   const { timeline } = usePlayer();
   if (!timeline) return null;
-  const goals = timeline.goals.map((one) => ({
-    t: one.time_s,
-    words: text.world.goal(one.index + 1, text.world.goal_states[one.state] ?? one.state),
-  }));
   const logs = timeline.logs
-    .filter((one) => one.level > 2)
-    .map((one) => ({
-      t: one.time_s,
-      words: `${text.world.loggers[one.name] ?? one.name}: ${(spanish && one.message_es) || one.message}`,
-    }));
+    .filter((one) => one.name !== 'intervention') // told as an event of its own
+    .map((one) => {
+      const who = isNote(one) ? '' : `${text.world.loggers[one.name] ?? one.name}: `;
+      return { t: one.time_s, words: `${who}${logWords(one, language)}` };
+    });
   const touches = timeline.interventions.map((one) => ({ t: one.time_s, words: interventionWords(one, text) }));
-  const all = [...goals, ...logs, ...touches].sort((a, b) => b.t - a.t).slice(0, kMost);
+  const all = [...logs, ...touches].sort((a, b) => b.t - a.t).slice(0, kMost);
   if (all.length === 0) return null;
   return (
     <section className="events" aria-label={text.world.events}>

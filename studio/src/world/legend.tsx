@@ -1,6 +1,10 @@
 import type { ReactNode } from 'react';
+import { kForms, roleLook } from '../api/exhibits';
+import { isSeen } from '../state/frames';
+import { usePlayer } from '../state/player';
 import type { Timeline } from '../state/timeline';
 import { useText } from '../text/text';
+import { isDark, useSettings } from '../theme/settings';
 
 function Row({ mark, word }: { mark: ReactNode; word: string }) {
   return (
@@ -13,11 +17,66 @@ function Row({ mark, word }: { mark: ReactNode; word: string }) {
   );
 }
 
+function shapeMark(form: number, role: string): ReactNode {
+  const look = roleLook(role);
+  const colour = look[isDark() ? 'dark' : 'light'];
+  const line = { stroke: colour, strokeWidth: 2.2, strokeDasharray: look.dash.join(' '), fill: 'none' };
+  const filled = look.filled && !look.over ? { fill: colour, stroke: '#22272e' } : line;
+  if (form === kForms.disc) return <circle cx="14" cy="9" r="6" {...filled} />;
+  if (form === kForms.polygon) return <path d="M6 3h16v12H6z" {...filled} />;
+  if (form === kForms.sector) return <path d="M3 9L25 2a24 24 0 010 14z" {...line} />;
+  if (form === kForms.point) return <circle cx="14" cy="9" r="4" fill={colour} />;
+  return <path d="M2 9h24" {...line} />;
+}
+
+/** One row for each role and form that is shown now or was before, in the words of the roles. */
+function ShapeRows({ timeline, robot }: { timeline: Timeline; robot: number }) {
+  const language = useSettings((settings) => settings.language);
+  const seen = new Map<string, { form: number; role: string }>();
+  for (const { of, track } of timeline.exhibits) {
+    if (of.form !== 'marks' || !isSeen(of, robot)) continue;
+    for (const { shapes } of track.values) {
+      for (const { form, role } of shapes ?? []) {
+        if (form !== kForms.label) seen.set(`${role} ${form}`, { form, role });
+      }
+    }
+  }
+  return [...seen.entries()].map(([key, { form, role }]) => (
+    <Row key={key} mark={shapeMark(form, role)} word={roleLook(role)[language]} />
+  ));
+}
+
+const kSteps = [0, 1, 2, 3, 4, 5, 6];
+
+/** Scales, and classes that have a sign or are painted. */
+function FieldRows({ timeline, robot }: { timeline: Timeline; robot: number }) {
+  const text = useText();
+  const language = useSettings((settings) => settings.language);
+  const layers = timeline.fields
+    .filter(({ of, track }) => isSeen(of, robot) && track.words && track.words.frame !== '')
+    .flatMap(({ of, track }) =>
+      (track.words?.layers ?? []).map((layer) => ({ key: `${of.name} ${layer.name}`, layer })),
+    );
+  return layers.map(({ key, layer }) =>
+    layer.classes.length > 0 ? (
+      layer.classes.map((one) => (
+        <Row key={`${key} ${one.byte}`} mark={shapeMark(kForms.polygon, one.role)} word={one.title[language]} />
+      ))
+    ) : (
+      <Row
+        key={key}
+        mark={kSteps.map((i) => <rect key={i} className={`viridis-${i}`} x={4 * i} y="4" width="4" height="10" />)}
+        word={text.world.legend.scale(layer.title[language], layer.low, layer.high, layer.unit)}
+      />
+    ),
+  );
+}
+
 /** Of figure 7, and of what we draw besides: only what this run has. */
 export function Legend({ timeline }: { timeline: Timeline }) {
+  const robot = usePlayer((state) => state.robot);
   const { legend } = useText().world;
   const scene = timeline.scene;
-  const map = timeline.maps.length > 0;
   const sonar = timeline.info?.robots[0]?.sensors.some((sensor) => sensor.max_range_m > 0);
   const furniture = scene?.shapes.some((shape) => shape.class === 'furniture');
   return (
@@ -38,20 +97,8 @@ export function Legend({ timeline }: { timeline: Timeline }) {
             word={legend.sonar}
           />
         )}
-        {timeline.goals.length > 0 && (
-          <Row mark={<circle className="w-goal" cx="14" cy="9" r="6" />} word={legend.goal} />
-        )}
-        {timeline.paths.length > 0 && <Row mark={<path className="w-route" d="M2 14L10 5h16" />} word={legend.route} />}
-        {map && <Row mark={<path className="w-attempt" d="M2 9h24" />} word={legend.attempts} />}
-        {map && <Row mark={<path className="w-inhibited" d="M8 3l12 12M20 3L8 15" />} word={legend.inhibited} />}
-        {map && (
-          <Row
-            mark={[0, 1, 2, 3, 4, 5, 6].map((i) => (
-              <rect key={i} className={`viridis-${i}`} x={4 * i} y="4" width="4" height="10" />
-            ))}
-            word={legend.risk}
-          />
-        )}
+        <ShapeRows timeline={timeline} robot={robot} />
+        <FieldRows timeline={timeline} robot={robot} />
       </ul>
     </section>
   );

@@ -1,56 +1,58 @@
+import { frameAt, isSeen, shapesAt } from '../state/frames';
 import type { Timeline } from '../state/timeline';
+import { useSettings } from '../theme/settings';
+import type { FieldPainter } from './draw_field';
 import { drawEdges, drawGround, drawMovers } from './draw_ground';
-import type { MapPainter } from './draw_map';
-import { drawAttempts, drawRobots, drawTrail } from './draw_robot';
+import { drawRobots, drawTrail } from './draw_robot';
+import { drawShapes } from './draw_shapes';
 import type { View, WorldColours } from './view';
 
-function drawPaths(view: View, timeline: Timeline, t: number, colours: WorldColours): void {
-  for (const path of timeline.paths) {
-    const points = path.track.at(t);
-    if (!points || points.length < 4) continue;
-    view.context.beginPath();
-    for (let i = 0; i + 1 < points.length; i += 2) view.context.lineTo(view.x(points[i]), view.y(points[i + 1]));
-    if (path.topic.includes('/attempts/')) view.stroke(colours.attempt, 2.5, [2, 4]);
-    else view.stroke(colours.route, 2, [7, 4]);
-  }
+/** The layer that is painted: of the field of that name, whoever shows it. */
+export interface ChosenLayer {
+  field: string;
+  layer: string;
 }
 
-/** The goal of that time: a yellow dot, hollow once it is done with. */
-function drawGoal(view: View, timeline: Timeline, t: number, robot: number, colours: WorldColours): void {
-  const goal = timeline.goals.filter((one) => one.time_s <= t + 1e-9 && one.robot === robot).at(-1);
-  if (!goal) return;
-  view.disc(goal.x_m, goal.y_m, 7);
-  if (goal.state === 'set') view.fill(colours.goalmark);
-  view.stroke(goal.state === 'set' ? '#22272e' : colours.goalmark, goal.state === 'set' ? 1.5 : 3);
+function paintFields(
+  view: View,
+  painter: FieldPainter,
+  timeline: Timeline,
+  t: number,
+  robot: number,
+  chosen: ChosenLayer,
+  colours: WorldColours,
+): void {
+  for (const { of, track } of timeline.fields) {
+    const state = of.name === chosen.field && isSeen(of, robot) ? track.at(t) : null;
+    const place = state && frameAt(timeline, of, state.words.frame, t);
+    if (state && place) painter.draw(view, state, place, chosen.layer, colours);
+  }
 }
 
 /** What there is to see at one time, from the floor up. */
 export function paintWorld(
   view: View,
-  map: MapPainter,
+  painter: FieldPainter,
   timeline: Timeline,
   t: number,
   robot: number,
-  layer: string,
+  chosen: ChosenLayer,
   colours: WorldColours,
 ): void {
   const { scene } = timeline;
+  const { language } = useSettings.getState();
   if (scene) view.setBounds(scene.bounds);
   if (!view.begin()) return;
   if (scene) drawGround(view, scene, colours);
-  const learned = timeline.maps[0];
-  const state = learned?.track.at(t);
-  if (state && layer !== '') map.draw(view, state, learned.layers, layer, colours);
+  paintFields(view, painter, timeline, t, robot, chosen, colours);
   if (scene) {
     drawEdges(view, scene, colours);
     drawMovers(view, scene, timeline.movers.at(t), colours);
   }
+  const shapes = shapesAt(timeline, robot, t);
+  drawShapes(view, shapes, true, language, colours);
   const track = timeline.robots[robot];
-  if (track) {
-    drawAttempts(view, track, t, timeline.info?.cell_m || 0.2, colours);
-    drawTrail(view, track, t, colours);
-  }
-  drawPaths(view, timeline, t, colours);
-  drawGoal(view, timeline, t, robot, colours);
+  if (track) drawTrail(view, track, t, colours);
+  drawShapes(view, shapes, false, language, colours);
   drawRobots(view, timeline, t, robot, colours);
 }

@@ -26,10 +26,9 @@ export function mayReach(): boolean {
   return going && recording === null && live !== null && live === timeline && following;
 }
 
-/** The side of the cells that a robot's trainer thinks in; null where it has none. */
+/** The side of the cells that a goal set by hand can be; null where nobody takes one. */
 export function goalCell_m(timeline: Timeline | null, robot: number): number | null {
-  const sensors = timeline?.info?.robots[robot]?.sensors ?? [];
-  return sensors.find((sensor) => sensor.kind === 'Trainer')?.cell_m ?? null;
+  return timeline?.info?.robots[robot]?.goal_cell_m ?? null;
 }
 
 export function maySetGoal(): boolean {

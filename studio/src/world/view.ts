@@ -1,3 +1,6 @@
+import { roleLook, roleNames } from '../api/exhibits';
+import { isDark } from '../theme/settings';
+
 /** The world seen through a canvas [m -> CSS px]; y grows upwards in the world, downwards on the canvas. */
 export class View {
   context!: CanvasRenderingContext2D;
@@ -110,19 +113,20 @@ const kNames = [
   'start',
   'trail',
   'goalmark',
-  'attempt',
   'sonar',
   'contact',
-  'route',
   'bump',
 ] as const;
 
-export type WorldColours = Record<(typeof kNames)[number], string>;
+export type WorldColours = Record<(typeof kNames)[number], string> & { roles: Record<string, string> };
 
 /** Colours of the style sheet, as they are now. */
 export function worldColours(): WorldColours {
   const style = getComputedStyle(document.documentElement);
-  return Object.fromEntries(
-    kNames.map((name) => [name, style.getPropertyValue(`--world-${name}`).trim()]),
-  ) as WorldColours;
+  const look = isDark() ? 'dark' : 'light';
+  const named = Object.fromEntries(kNames.map((name) => [name, style.getPropertyValue(`--world-${name}`).trim()]));
+  return {
+    ...named,
+    roles: Object.fromEntries(roleNames().map((name) => [name, roleLook(name)[look]])),
+  } as WorldColours;
 }

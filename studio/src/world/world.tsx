@@ -1,25 +1,30 @@
 import { useEffect, useRef, useState } from 'react';
+import type { Language } from '../api/types';
+import { isSeen } from '../state/frames';
 import { player, usePlayer } from '../state/player';
 import { closeRecording } from '../state/recordings';
 import { useRun } from '../state/run';
+import type { Timeline } from '../state/timeline';
 import { useText } from '../text/text';
-import { onColours } from '../theme/settings';
+import { onColours, useSettings } from '../theme/settings';
 import { Icon } from '../ui/icons';
+import { FieldPainter } from './draw_field';
 import { drawIntent } from './draw_intent';
-import { MapPainter } from './draw_map';
 import { poseAt } from './draw_robot';
 import { Drives } from './drives';
 import { Events } from './events';
 import { useHand } from './hand';
 import { Legend } from './legend';
-import { paintWorld } from './paint';
+import { type ChosenLayer, paintWorld } from './paint';
+import { Panels } from './panels';
 import { type Intent, mayPutObstacle, maySetGoal } from './reach';
 import { TimeBar } from './time_bar';
 import { View, worldColours } from './view';
 
 const kZoomStep = 1.3;
+const kNothingChosen: ChosenLayer = { field: '', layer: '' };
 
-function useWorldCanvas(layer: string) {
+function useWorldCanvas({ field, layer }: ChosenLayer) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const view = useRef<View | null>(null);
   const intent = useRef<Intent>({ cell: null, ghost: null });
@@ -28,10 +33,10 @@ function useWorldCanvas(layer: string) {
     if (!element) return;
     view.current = view.current ?? new View(element);
     const seen = view.current;
-    const painter = new MapPainter();
+    const painter = new FieldPainter();
     let colours = worldColours();
     const paint = player.addPainter((timeline, t, robot) => {
-      paintWorld(seen, painter, timeline, t, robot, layer, colours);
+      paintWorld(seen, painter, timeline, t, robot, { field, layer }, colours);
       drawIntent(seen, timeline, intent.current, colours);
     });
     const coloured = onColours(() => {
@@ -53,20 +58,36 @@ function useWorldCanvas(layer: string) {
       sized.disconnect();
       element.removeEventListener('wheel', wheel);
     };
-  }, [layer]);
+  }, [field, layer]);
   return { canvas, view, intent };
 }
 
+/** Every layer of every field that lies in a frame; those of a name count as one, whoever shows them. */
+function choices(timeline: Timeline | null, robot: number, language: Language) {
+  const found = new Map<string, { chosen: ChosenLayer; words: string; scale: boolean }>();
+  for (const { of, track } of timeline?.fields ?? []) {
+    if (!track.words || track.words.frame === '' || !isSeen(of, robot)) continue;
+    for (const one of track.words.layers) {
+      const words = `${track.words.title[language]}: ${one.title[language]}`;
+      const scale = one.classes.length === 0;
+      found.set(`${of.name}\n${one.name}`, { chosen: { field: of.name, layer: one.name }, words, scale });
+    }
+  }
+  return [...found.entries()].map(([key, one]) => ({ key, ...one }));
+}
+
+type Choice = ReturnType<typeof choices>[number];
+
 function Tools({
   view,
-  layer,
+  chosen,
   layers,
-  setLayer,
+  choose,
 }: {
   view: { current: View | null };
-  layer: string;
-  layers: string[];
-  setLayer(layer: string): void;
+  chosen: string;
+  layers: Choice[];
+  choose(key: string): void;
 }) {
   const text = useText();
   const act = (work: (view: View) => void) => () => {
@@ -77,11 +98,12 @@ function Tools({
     <div className="world-tools">
       {layers.length > 0 && (
         <label>
-          {text.world.map}{' '}
-          <select value={layer} onChange={(event) => setLayer(event.target.value)}>
-            {['', ...layers].map((one) => (
-              <option key={one} value={one}>
-                {one === '' ? text.world.no_map : (text.world.layers[one] ?? one)}
+          {text.world.field}{' '}
+          <select value={chosen} onChange={(event) => choose(event.target.value)}>
+            <option value="">{text.world.no_field}</option>
+            {layers.map(({ key, words }) => (
+              <option key={key} value={key}>
+                {words}
               </option>
             ))}
           </select>
@@ -139,11 +161,17 @@ function Hint() {
 export function World() {
   const text = useText();
   const timeline = usePlayer((state) => state.timeline);
-  // Maps, routes and goals come to a run that goes on: the timeline stays the same object.
-  usePlayer(({ timeline: one }) => one && `${one.maps.length} ${one.paths.length} ${one.goals.length}`);
-  const layers = timeline?.maps[0]?.layers ?? [];
-  const [layer, setLayer] = useState('label');
-  const { canvas, view, intent } = useWorldCanvas(layer);
+  // What is shown comes to a run that goes on: the timeline stays the same object.
+  usePlayer(
+    ({ timeline: one }) => one && `${one.fields.filter(({ track }) => track.words).length} ${one.exhibits.length}`,
+  );
+  const robot = usePlayer((state) => state.robot);
+  const language = useSettings((settings) => settings.language);
+  const layers = choices(timeline, robot, language);
+  const [wanted, choose] = useState<string | null>(null); // null: nobody chose yet
+  const first = layers.find(({ scale }) => scale) ?? layers[0];
+  const now = wanted === '' ? undefined : (layers.find(({ key }) => key === wanted) ?? first);
+  const { canvas, view, intent } = useWorldCanvas(now?.chosen ?? kNothingChosen);
   const hand = useHand(view, intent);
   return (
     <section className="world" aria-label={text.panes.world}>
@@ -151,11 +179,12 @@ export function World() {
       <div className="world-frame">
         <canvas ref={canvas} role="img" aria-label={text.world.canvas} {...hand} />
         {!timeline && <p className="world-empty">{text.world.empty}</p>}
-        <Tools view={view} layer={layer} layers={layers} setLayer={setLayer} />
+        <Tools view={view} chosen={now?.key ?? ''} layers={layers} choose={choose} />
       </div>
       {timeline && (
         <>
           <TimeBar />
+          <Panels timeline={timeline} />
           <div className="world-about">
             <Spoken />
             <Hint />

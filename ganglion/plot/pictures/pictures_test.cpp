@@ -1,4 +1,4 @@
-#include "ganglion/plot/picture/pictures.h"
+#include "ganglion/plot/pictures/pictures.h"
 
 #include <gtest/gtest.h>
 
@@ -22,6 +22,11 @@ std::set<std::string> words_of(const Picture& picture) {
   return {texts.begin(), texts.end()};
 }
 
+/// The pictures of one kind.
+std::vector<Picture> pictures_of(const RunView& run, const std::string& kind, Language language) {
+  return all_pictures(run, language, std::vector{kind});
+}
+
 /// All texts of all pictures of a run.
 std::set<std::string> words_of(const RunView& run, Language language) {
   std::set<std::string> words;
@@ -34,8 +39,8 @@ bool holds(const std::set<std::string>& words, std::initializer_list<const char*
 }
 
 TEST(EveryPicture, IsWellFormedWithTitleAndDescription) {
-  for (const RunView& run : {sample_behaviour_run(1, 30), sample_behaviour_run(3, 30), sample_router_run(), empty_run(),
-                             unreadable_run(), RunView{}})
+  for (const RunView& run : {sample_behaviour_run(1, 30), sample_behaviour_run(3, 30), sample_router_run(),
+                             sample_exhibits_run(), empty_run(), unreadable_run(), RunView{}})
     for (const Picture& picture : all_pictures(run, Language::Spanish)) {
       const std::string svg = svg_of(picture);
       EXPECT_EQ(fault_in_markup(svg), "") << run.name << " " << picture.id;
@@ -47,8 +52,9 @@ TEST(EveryPicture, IsWellFormedWithTitleAndDescription) {
 }
 
 TEST(EveryPicture, SaysNothingInEnglishToReadersOfSpanish) {
-  const std::set<std::string> of_the_run{"x [m]", "y [m]", "1 m", "escape", "avoid", "navigate", "arbiter"};
-  for (const RunView& run : {sample_behaviour_run(1, 30), sample_router_run(), unreadable_run()}) {
+  const std::set<std::string> of_the_run{"all", "J", "x [m]", "y [m]", "1 m", "escape", "avoid", "navigate", "arbiter"};
+  for (const RunView& run :
+       {sample_behaviour_run(1, 30), sample_router_run(), sample_exhibits_run(), unreadable_run()}) {
     const auto english = words_of(run, Language::English);
     for (const std::string& word : words_of(run, Language::Spanish)) {
       const bool is_name = word.find('.') != std::string::npos || word.find('_') != std::string::npos;
@@ -62,35 +68,36 @@ TEST(EveryPicture, SaysNothingInEnglishToReadersOfSpanish) {
 
 TEST(TrajectoryPicture, ExplainsTheBehavioursThatDrove) {
   const RunView run = sample_behaviour_run(1, 60);
-  EXPECT_TRUE(holds(words_of(trajectory_picture(run, Language::English)),
+  EXPECT_TRUE(holds(words_of(pictures_of(run, "Trajectory", Language::English).at(0)),
                     {"Legend", "start", "end", "escape", "avoid", "navigate", "contact", "wall", "static obstacle",
                      "dynamic obstacle", "x [m]", "y [m]"}));
-  EXPECT_FALSE(words_of(trajectory_picture(run, Language::English)).contains("goal"));
+  EXPECT_FALSE(words_of(pictures_of(run, "Trajectory", Language::English).at(0)).contains("goal"));
 }
 
 TEST(TrajectoryPicture, HasTheLegendOfThePaperForARouter) {
   const RunView run = sample_router_run();
-  EXPECT_TRUE(holds(words_of(trajectory_picture(run, Language::Spanish)),
+  EXPECT_TRUE(holds(words_of(pictures_of(run, "Trajectory", Language::Spanish).at(0)),
                     {"Leyenda", "inicio", "trayectoria", "objetivo", "objetivo abandonado", "intento fallido",
                      "obstáculo estático", "obstáculo dinámico"}));
 }
 
 TEST(TrajectoryPicture, NamesTheRobotsWhereThereAreSeveral) {
   const RunView run = sample_behaviour_run(3, 30);
-  EXPECT_TRUE(holds(words_of(trajectory_picture(run, Language::English)), {"robot0", "robot1", "robot2"}));
+  EXPECT_TRUE(holds(words_of(pictures_of(run, "Trajectory", Language::English).at(0)), {"robot0", "robot1", "robot2"}));
 }
 
-TEST(LearnedMapPicture, HasAScaleOfRiskAndAllItsMarks) {
+TEST(FieldsPicture, HasAScaleAndTheSignsOfAllClasses) {
   const RunView run = sample_router_run();
-  const auto pictures = learned_map_pictures(run, Language::English);
+  const auto pictures = pictures_of(run, "Fields", Language::English);
   ASSERT_EQ(pictures.size(), 1u);
   EXPECT_TRUE(holds(words_of(pictures[0]),
-                    {"risk", "0", "0.25", "0.5", "0.75", "1", "occupied", "dynamic", "inhibited", "unexplored"}));
+                    {"risk", "0", "0.25", "0.5", "0.75", "1", "occupied", "dynamic", "inhibited", "unknown"}));
+  EXPECT_FALSE(words_of(pictures[0]).contains("static"));  // has no sign
 }
 
 TEST(SignalPicture, ShowsEverySignalWithItsUnit) {
   const RunView run = sample_behaviour_run(1, 30);
-  const auto pictures = signal_pictures(run, Language::English);
+  const auto pictures = pictures_of(run, "Signals", Language::English);
   ASSERT_EQ(pictures.size(), 1u);
   EXPECT_TRUE(
       holds(words_of(pictures[0]), {"truth.x_m [m]", "truth.yaw_rad [rad]", "sonar_left [m]", "arbiter.active",
@@ -99,7 +106,7 @@ TEST(SignalPicture, ShowsEverySignalWithItsUnit) {
 
 TEST(SignalPicture, SaysWhereThereWasNeverAReading) {
   const RunView run = unreadable_run();
-  const auto texts = texts_in(svg_of(signal_pictures(run, Language::Spanish).at(0)));
+  const auto texts = texts_in(svg_of(pictures_of(run, "Signals", Language::Spanish).at(0)));
   EXPECT_EQ(std::ranges::count(texts, "sin lectura válida"), 11);  // ten signals and the legend
 }
 
@@ -108,21 +115,60 @@ TEST(SignalPicture, SplitsManySignalsOverPictures) {
   SignalTable& signals = run.robots[0].signals;
   signals = {};
   for (int i = 0; i < 130; ++i) signals.columns.push_back({"signal", ""});
-  EXPECT_EQ(signal_pictures(run, Language::English).size(), 3u);
+  EXPECT_EQ(pictures_of(run, "Signals", Language::English).size(), 3u);
 }
 
 TEST(BehaviourPicture, NamesCoordinatorAndCandidates) {
   const RunView run = sample_behaviour_run(1, 30);
   EXPECT_TRUE(
-      holds(words_of(behaviour_pictures(run, Language::Spanish).at(0)),
+      holds(words_of(pictures_of(run, "Behaviours", Language::Spanish).at(0)),
             {"arbiter", "escape", "avoid", "navigate", "conduce", "quiere, suprimido", "en reposo", "tiempo [s]"}));
+}
+
+TEST(FieldsPicture, HasAPanelForEveryContinuousLayerOfEveryField) {
+  const RunView run = sample_exhibits_run();
+  const auto english = pictures_of(run, "Fields", Language::English);
+  ASSERT_EQ(english.size(), 2u);
+  EXPECT_TRUE(holds(words_of(english[0]), {"Warmth [degC]", "Visits", "a rock", "a pit", "x [m]", "10", "30"}));
+  EXPECT_TRUE(holds(words_of(english[1]), {"Firing", "Weight", "Learned [J]", "near", "fit", "far", "left", "right",
+                                           "Distance [m]", "Side"}));
+  const auto spanish = pictures_of(run, "Fields", Language::Spanish);
+  EXPECT_TRUE(holds(words_of(spanish[0]), {"Calor [degC]", "Visitas", "una roca", "un foso"}));
+  EXPECT_TRUE(holds(words_of(spanish[1]),
+                    {"Activación", "Peso", "Aprendido [J]", "cerca", "lejos", "izquierda", "Distancia [m]", "Lado"}));
+}
+
+TEST(EveryPicture, SaysAllThatIsShownInBothLanguages) {
+  const RunView run = sample_exhibits_run();
+  EXPECT_TRUE(
+      holds(words_of(run, Language::English),
+            {"Distance [m]", "Degree", "near",     "fit",   "truth.x_m",  // the curve and its cursor
+             "rule 1",       "rule 3", "Strength", "-0.4",  "0.9",        // the bars
+             "hungry",       "fed",    "tired",                           // the network
+             "the yard",     "home",   "plan",     "place", "echo",      "reference", "itself", "goal reached"}));
+  EXPECT_TRUE(holds(words_of(run, Language::Spanish),
+                    {"Distancia [m]", "Grado", "cerca", "bien", "regla 1", "Fuerza", "hambre", "saciado", "cansado",
+                     "el patio", "casa", "lugar", "eco", "referencia", "sí mismo", "objetivo alcanzado"}));
+}
+
+TEST(PictureKinds, SayWhatTheyAreAndWhenTheyAreWanted) {
+  std::set<std::string_view> names;
+  for (const PictureKind* kind : picture_kinds()) {
+    EXPECT_EQ(kind->descriptor.component_class, ComponentClass::Picture);
+    EXPECT_FALSE(kind->descriptor.summary.empty());
+    EXPECT_TRUE(names.insert(kind->descriptor.name).second);
+    EXPECT_FALSE(kind->wants(RunView{})) << kind->descriptor.name;
+  }
+  EXPECT_TRUE(names.contains("Trajectory") && names.contains("Fields") && names.contains("Networks"));
 }
 
 TEST(EveryPicture, KeepsNamesThatCarryMarkupAsText) {
   RunView run = sample_router_run();
   run.name = "<script>alert(1)</script>";
   run.robots[0].name = "\"><svg onload=alert(1)>";
-  run.robots[0].maps[0].component = "../../etc/passwd";
+  run.exhibits[0].owner.name = "../../etc/passwd";
+  std::get<shown::Field>(run.exhibits[0].states.back().form).layers[1].title = {"</svg><script>", "</svg><script>"};
+  std::get<shown::Marks>(run.exhibits[2].states.back().form).shapes[3].label = {"<script>", "<script>"};
   run.robots[0].signals.columns[0].name = "]]><script>";
   for (const Picture& picture : all_pictures(run, Language::English)) {
     const std::string svg = svg_of(picture);

@@ -5,7 +5,8 @@
 #include <set>
 
 #include "ganglion/plot/picture/ground.h"
-#include "ganglion/plot/picture/pictures.h"
+#include "ganglion/plot/picture/picture_kind.h"
+#include "ganglion/plot/picture/shapes.h"
 
 namespace ganglion::plot {
 namespace {
@@ -13,13 +14,10 @@ namespace {
 constexpr double kLegendWidth_px = 220;
 constexpr double kLeast_px = 0.4;  // nearer points of a path are left out
 constexpr double kMarkerEvery_px = 46;
-constexpr std::size_t kMaxNumberedGoals = 30;
 const Colour kStart = Colour::hex(0x1e9e3a);
 const Colour kArrows = Colour::hex(0x1b7f36);
-const Colour kGoal = Colour::hex(0xffd21f);
 const Colour kDark = Colour::hex(0x22272e);
 const Colour kContact = Colour::hex(0xb3123a);
-const Pen kAttempt{Colour::hex(0xc79a00), 2.2, {1.5, 3, 1.5, 3}};
 const LineLook kNobody{Colour::hex(0x7b838d), {1.5, 3, 1.5, 3}, -1};
 
 /// Which behaviour drives when; robots without a coordinator have none.
@@ -123,19 +121,11 @@ void draw_end(Canvas& canvas, Vector2 at) {
   canvas.rectangle(at - Vector2{8, 8}, {16, 16}, Pen{kDark, 2, {}});
 }
 
-void draw_goal(Canvas& canvas, Vector2 at, const GoalView& goal, const std::string& number) {
-  canvas.disc(at, 8, kGoal, {kDark, 1.2, {}});
-  if (goal.state == GoalState::Withdrawn || goal.state == GoalState::TimedOut)
-    canvas.line(at + Vector2{-8, 8}, at + Vector2{8, -8}, {kDark, 1.8, {}});
-  else
-    canvas.text(at + Vector2{0, 3.5}, number, Anchor::Middle, {.size_px = 10, .bold = true});
-}
-
 void draw_robot_marks(Canvas& canvas, const Axes& axes, const RobotView& robot) {
   for (const Vector2 place : contacts(robot)) draw_contact(canvas, axes.at(place));
-  const bool numbered = robot.goals.size() > 1 && robot.goals.size() <= kMaxNumberedGoals;
-  for (std::size_t i = 0; i < robot.goals.size(); ++i)
-    draw_goal(canvas, axes.at(robot.goals[i].place), robot.goals[i], numbered ? fmt::format("{}", i + 1) : "");
+}
+
+void draw_ends(Canvas& canvas, const Axes& axes, const RobotView& robot) {
   const Track& track = robot.track;
   if (track.times_s.empty()) return;
   draw_start(canvas, axes.at({track.x_m.front(), track.y_m.front()}));
@@ -175,12 +165,10 @@ void add_behaviours(Legend& legend, const RunView& run, const Words& words) {
   if (nobody) legend.add_line(std::string(words.no_behaviour), {kNobody.colour, 2, kNobody.dash_px});
 }
 
-Legend make_legend(const RunView& run, const Words& words) {
+Legend make_legend(const RunView& run, std::span<const PlacedShape> shapes, Language language) {
+  const Words& words = plot::words(language);
   Legend legend;
   const auto any = [&](auto test) { return std::ranges::any_of(run.robots, test); };
-  const auto ended = [](const GoalView& goal) {
-    return goal.state == GoalState::Withdrawn || goal.state == GoalState::TimedOut;
-  };
   legend.add(std::string(words.start), draw_start);
   legend.add(std::string(words.end), draw_end);
   if (any([](const RobotView& robot) { return robot.coordinations.empty(); }))
@@ -189,42 +177,50 @@ Legend make_legend(const RunView& run, const Words& words) {
       canvas.arrow_head(centre + Vector2{11, 0}, {1, 0}, 11, kArrows);
     });
   add_behaviours(legend, run, words);
-  if (any([](const RobotView& robot) { return !robot.goals.empty(); }))
-    legend.add(std::string(words.goal), [](Canvas& canvas, Vector2 centre) { draw_goal(canvas, centre, {}, ""); });
-  if (any([&](const RobotView& robot) { return std::ranges::any_of(robot.goals, ended); }))
-    legend.add(std::string(words.goal_withdrawn),
-               [](Canvas& canvas, Vector2 centre) { draw_goal(canvas, centre, {.state = GoalState::Withdrawn}, ""); });
   if (any([](const RobotView& robot) { return !contacts(robot).empty(); }))
     legend.add(std::string(words.contact), draw_contact);
-  if (any([](const RobotView& robot) { return !failed_attempts(robot).empty(); }))
-    legend.add_line(std::string(words.failed_attempt), kAttempt);
+  add_shapes_to_legend(legend, shapes, language);
   add_ground_to_legend(legend, run.scene, words);
   return legend;
 }
 
-}  // namespace
+/// What was shown and lasts: a plan of the last moment, or what a robot sees then, tells nothing of the whole run.
+std::vector<PlacedShape> still_shapes(const RunView& run) {
+  std::vector<PlacedShape> shapes = lasting_shapes(run);
+  std::erase_if(shapes, [](const PlacedShape& placed) {
+    const Role role = placed.shape->role;
+    return role == Role::Plan || role == Role::Echo || role == Role::Sensing;
+  });
+  // Lines lie below the ways, the rest above them.
+  std::ranges::stable_partition(shapes, [](const PlacedShape& placed) { return placed.shape->form == Form::Polyline; });
+  return shapes;
+}
 
 Picture trajectory_picture(const RunView& run, Language language) {
   const Words& said = words(language);
+  const std::vector<PlacedShape> shapes = still_shapes(run);
   const Bounds bounds = bounds_of(run);
   const Vector2 margin = 0.03 * (bounds.upper - bounds.lower);
   const Vector2 corner{62, 44};
   const Vector2 room{kPictureWidth_px - corner.x - kLegendWidth_px - 40, 760};
   const Axes axes = equal_axes(bounds.lower - margin, bounds.upper + margin, corner, room);
-  const Legend legend = make_legend(run, said);
+  const Legend legend = make_legend(run, shapes, language);
   const double height_px = corner.y + std::max(axes.size_px.y, legend.height_px() + 50) + 48;
   const double legend_left = axes.right() + 28;
-  auto draw = [&run, &said, axes, legend, legend_left](Canvas& canvas) {
+  auto draw = [&run, &said, axes, legend, legend_left, shapes, language](Canvas& canvas) {
     canvas.text({axes.corner_px.x, 26},
                 canvas.fitted(fmt::format("{}: {}", std::string_view(said.trajectory), run.name), 800), Anchor::Start,
                 {.size_px = 15, .bold = true});
     draw_ground(canvas, axes, run.scene, run.duration_s);
     canvas.clip(axes.corner_px, axes.size_px);
-    for (const RobotView& robot : run.robots)
-      for (const Attempt& attempt : failed_attempts(robot))
-        canvas.line(axes.at(attempt.from), axes.at(attempt.to), kAttempt);
+    const auto lines =
+        std::ranges::count(shapes, Form::Polyline, [](const auto& placed) { return placed.shape->form; });
+    const std::span<const PlacedShape> all(shapes);
+    draw_shapes(canvas, axes, all.first(static_cast<std::size_t>(lines)), language);
     for (const RobotView& robot : run.robots) Way(canvas, axes, robot).draw();
     for (const RobotView& robot : run.robots) draw_robot_marks(canvas, axes, robot);
+    draw_shapes(canvas, axes, all.subspan(static_cast<std::size_t>(lines)), language);
+    for (const RobotView& robot : run.robots) draw_ends(canvas, axes, robot);
     draw_names(canvas, axes, run);
     canvas.unclip();
     draw_axes(canvas, axes, "x [m]", "y [m]");
@@ -236,5 +232,22 @@ Picture trajectory_picture(const RunView& run, Language language) {
   return {"trajectory",   std::string(said.trajectory), std::string(said.trajectory_about), width_px, height_px,
           std::move(draw)};
 }
+
+bool wants(const RunView& run) { return run.scene.bounds || has_way(run); }
+
+std::vector<Picture> draw(const RunView& run, Language language) { return {trajectory_picture(run, language)}; }
+
+}  // namespace
+
+extern const PictureKind trajectory_kind;
+constinit const PictureKind trajectory_kind{
+    .descriptor = {.component_class = ComponentClass::Picture,
+                   .name = "Trajectory",
+                   .summary = {"The way of every robot over the ground, with what was shown on it.",
+                               "El camino de cada robot sobre el suelo, con lo que se mostró en él."},
+                   .source = "\"A growing functional modules locomotion subsystem\", figure 7"},
+    .order = 10,
+    .wants = wants,
+    .draw = draw};
 
 }  // namespace ganglion::plot

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "ganglion/plot/picture/ground.h"
-#include "ganglion/plot/picture/pictures.h"
+#include "ganglion/plot/picture/picture_kind.h"
 
 namespace ganglion::plot {
 namespace {
@@ -198,9 +198,11 @@ Picture page(const RobotView& robot, double duration_s, std::size_t first, std::
           std::move(draw)};
 }
 
-}  // namespace
+bool wants(const RunView& run) {
+  return std::ranges::any_of(run.robots, [](const RobotView& robot) { return !robot.signals.columns.empty(); });
+}
 
-std::vector<Picture> signal_pictures(const RunView& run, Language language) {
+std::vector<Picture> draw(const RunView& run, Language language) {
   std::vector<Picture> pictures;
   for (std::size_t i = 0; i < std::min(run.robots.size(), kMaxDrawnRobots); ++i) {
     const std::size_t columns = run.robots[i].signals.columns.size();
@@ -209,5 +211,18 @@ std::vector<Picture> signal_pictures(const RunView& run, Language language) {
   }
   return pictures;
 }
+
+}  // namespace
+
+extern const PictureKind signals_kind;
+constinit const PictureKind signals_kind{
+    .descriptor = {.component_class = ComponentClass::Picture,
+                   .name = "Signals",
+                   .summary = {"Every signal of a robot against time, at most 60 panels a picture.",
+                               "Cada señal de un robot frente al tiempo, con 60 paneles por imagen como máximo."},
+                   .source = "ours"},
+    .order = 90,
+    .wants = wants,
+    .draw = draw};
 
 }  // namespace ganglion::plot

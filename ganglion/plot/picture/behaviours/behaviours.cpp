@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "ganglion/plot/picture/ground.h"
-#include "ganglion/plot/picture/pictures.h"
+#include "ganglion/plot/picture/picture_kind.h"
 
 namespace ganglion::plot {
 namespace {
@@ -107,14 +107,29 @@ Picture bands_picture(const RobotView& robot, double duration_s, Language langua
           std::move(draw)};
 }
 
-}  // namespace
+bool wants(const RunView& run) {
+  return std::ranges::any_of(run.robots, [](const RobotView& robot) { return !robot.coordinations.empty(); });
+}
 
-std::vector<Picture> behaviour_pictures(const RunView& run, Language language) {
+std::vector<Picture> draw(const RunView& run, Language language) {
   std::vector<Picture> pictures;
   for (std::size_t i = 0; i < std::min(run.robots.size(), kMaxDrawnRobots); ++i)
     if (!run.robots[i].coordinations.empty())
       pictures.push_back(bands_picture(run.robots[i], run.duration_s, language));
   return pictures;
 }
+
+}  // namespace
+
+extern const PictureKind behaviours_kind;
+constinit const PictureKind behaviours_kind{
+    .descriptor = {.component_class = ComponentClass::Picture,
+                   .name = "Behaviours",
+                   .summary = {"Who drove, who wanted to, who was quiet: one picture a robot that has coordinators.",
+                               "Quién conducía, quién quería y quién callaba: una imagen por robot con coordinadores."},
+                   .source = "ours"},
+    .order = 30,
+    .wants = wants,
+    .draw = draw};
 
 }  // namespace ganglion::plot
