@@ -10,7 +10,6 @@
 #include "ganglion/report/html.h"
 #include "ganglion/report/legend_html.h"
 #include "ganglion/report/player_data.h"
-#include "ganglion/report/player_exhibits.h"
 
 namespace ganglion::report {
 namespace {
@@ -144,7 +143,7 @@ std::string keys(Language language) {
 std::string player_section(const plot::RunView& run, Language language) {
   std::string html = "<section aria-labelledby=\"watch\">\n" + worded("h2", "watch", language, "id=\"watch\"") + "\n";
   html += "<noscript>" + worded("p", "needs_script", language) + "</noscript>\n";
-  html += roles_style() + stage(run, language);
+  html += stage(run, language);
   html += fmt::format("<canvas id=\"bands\" role=\"img\" {}></canvas>\n", labelled("bands", language));
   html += controls(language) + layers(run, language) + "<div id=\"panels\"></div>\n";
   html += "<div class=\"now\"><span id=\"behaviour\"><span id=\"behaviour-swatch\"></span>" +

@@ -10,6 +10,7 @@
 #include "ganglion/plot/pictures/pictures.h"
 #include "ganglion/report/embedded.h"
 #include "ganglion/report/html.h"
+#include "ganglion/report/player_exhibits.h"
 #include "ganglion/report/player_html.h"
 
 namespace ganglion::report {
@@ -126,8 +127,9 @@ std::string events(const plot::RunView& run, Language language) {
 Result<std::string> report_page(const plot::RunView& run, const ReportOptions& options) {
   const auto drawn = pictures(run, options.language);
   if (!drawn) return tl::unexpected(drawn.error());
-  const std::string body = header(run, options.language) + "<main>\n" + player_section(run, options.language) +
-                           measures(run, options.language) + *drawn + events(run, options.language) + "</main>\n";
+  const std::string body = roles_style() + header(run, options.language) + "<main>\n" +
+                           player_section(run, options.language) + measures(run, options.language) + *drawn +
+                           events(run, options.language) + "</main>\n";
   return page(run.name, options.language, body, kPlayerScript);
 }
 

@@ -122,7 +122,10 @@ export async function build(page: Page, plan: Plan, hand: Hand): Promise<void> {
   if (plan.tick_s) await hand.set(page, '', 'tick_s', `${plan.tick_s}`);
   if (plan.run) {
     await hand.run(page);
-    await page.locator('.events').getByText(/goal 1 at cell .*: reached/).waitFor({ timeout: 30_000 });
+    await page
+      .locator('.events')
+      .getByText(/goal 1 at cell .*: reached/)
+      .waitFor({ timeout: 30_000 });
     await page.locator('.outcome.good').waitFor({ timeout: 30_000 });
   }
   await hand.save(page);

@@ -118,8 +118,12 @@ test('a click sets the goal, and its mark stands there, though the run waits', a
   await shot(page, 'reach_hover');
   await page.mouse.click(...(await onScreen(page, 2.35, 9.4)));
   await events().getByText('by hand: goal at 2.').waitFor();
-  await events().getByText(/goal 1 at cell .*: replaced/).waitFor();
-  await events().getByText(/goal 2 at cell .*: set/).waitFor();
+  await events()
+    .getByText(/goal 1 at cell .*: replaced/)
+    .waitFor();
+  await events()
+    .getByText(/goal 2 at cell .*: set/)
+    .waitFor();
   await page.mouse.move(5, 5);
   await expect.poll(() => colourAt(page, 2.14, 9.25)).toBe(kGoal);
 });

@@ -59,7 +59,10 @@ test('the view is held apart from the run', async () => {
 
 test('the goal is reached, the run ends well, and its report opens', async () => {
   await page.locator('.run-bar select').selectOption('0');
-  await page.locator('.events').getByText(/goal 1 at cell .*: reached/).waitFor({ timeout: 30_000 });
+  await page
+    .locator('.events')
+    .getByText(/goal 1 at cell .*: reached/)
+    .waitFor({ timeout: 30_000 });
   await expect.poll(state, { timeout: 30_000 }).toBe('done');
   expect(await page.locator('.outcome').innerText()).toContain('did its task');
   // However fast it was, no tick is missing any more: five steps back are five ticks of a second.

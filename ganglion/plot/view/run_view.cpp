@@ -54,6 +54,7 @@ void add_exhibits(Extent& extent, const RunView& run) {
   for (const PlacedShape& placed : lasting_shapes(run)) {
     const double radius_m = placed.radius_m < kWidestReach_m ? placed.radius_m : 0;
     if (placed.shape->role == Role::Echo || placed.shape->role == Role::Sensing) continue;
+    if (run.scene.bounds && placed.shape->form == Form::Polyline) continue;  // lines may lead out of the world
     for (const Vector2 point : placed.shape->points) {
       const Vector2 at = placed.frame.to_outer(point);
       extent.add(at - Vector2{radius_m, radius_m});
