@@ -84,9 +84,11 @@ TEST_F(MutatedFiles, AreJudgedByCheckAsByARunThatBegins) {
   std::vector<fs::path> files;
   for (const fs::path& file : files_) {
     const std::string name = file.filename().string();
-    if (name == "experiment.toml" || name == "controller.toml" || name == "robot.toml") files.push_back(file);
+    if (name == "experiment.toml" || name == "controller.toml" || name == "robot.toml" || name == "process.toml") {
+      files.push_back(file);
+    }
   }
-  ASSERT_GE(files.size(), 6u);
+  ASSERT_GE(files.size(), 9u);
   int sound = 0;
   for (std::size_t i = 0; i < 300; ++i) {
     const fs::path& file = files[i % files.size()];

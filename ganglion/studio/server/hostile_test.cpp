@@ -10,7 +10,7 @@
 #include "ganglion/record/mcap/compression.h"
 #include "ganglion/record/mcap/fields.h"
 #include "ganglion/record/run_recorder.h"
-#include "ganglion/studio/live/sample.h"
+#include "ganglion/studio/live/recording_view.h"
 #include "ganglion/studio/server/testing/bench.h"
 
 // What somebody who may ask could send to end the server or make it hang.
