@@ -58,6 +58,7 @@ class RepeatedRows final : public RunSink {
   }
 
   void write_json(std::string_view, std::string_view, double, std::string_view) override {}
+  void write_exhibit(std::string_view, double, std::string_view) override {}
 
   /// Rows that were recorded and did not come again differ too.
   void finish() {

@@ -208,36 +208,5 @@ TEST(RobotModel, OutlivesMutatedFiles) {
   EXPECT_LT(read, 500);
 }
 
-TEST(EveryRobotKind, SaysAllThatOthersMustKnow) {
-  auto check = [](const Descriptor& descriptor, ComponentClass expected) {
-    EXPECT_EQ(descriptor.component_class, expected) << descriptor.name;
-    EXPECT_FALSE(descriptor.summary.empty()) << descriptor.name;
-    EXPECT_FALSE(descriptor.source.empty()) << descriptor.name;
-    for (const PortDescriptor& port : descriptor.ports) {
-      EXPECT_FALSE(port.help.empty()) << port.name;
-      if (port.size > 1) {
-        EXPECT_EQ(port.elements.size(), static_cast<std::size_t>(port.size)) << port.name;
-      }
-    }
-    for (const ParameterDescriptor& parameter : descriptor.parameters) {
-      EXPECT_FALSE(parameter.help.empty()) << parameter.name;
-      if (parameter.type == ParameterType::Real) {
-        const double preset = std::get<double>(parameter.preset());
-        EXPECT_GE(preset, parameter.min) << parameter.name;
-        EXPECT_LE(preset, parameter.max) << parameter.name;
-      }
-    }
-  };
-  for (const DriveKind* kind : testing::kDrives) {
-    check(kind->descriptor, ComponentClass::Drive);
-    EXPECT_EQ(kind->descriptor.ports.size(), 1u);
-    EXPECT_EQ(kind->descriptor.ports[0].role, PortRole::Command);
-  }
-  for (const SensorKind* kind : testing::kSensors) {
-    check(kind->descriptor, ComponentClass::Sensor);
-    for (const PortDescriptor& port : kind->descriptor.ports) EXPECT_EQ(port.role, PortRole::Output);
-  }
-}
-
 }  // namespace
 }  // namespace ganglion::sim
