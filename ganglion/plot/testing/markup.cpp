@@ -52,4 +52,10 @@ std::vector<std::string> texts_in(std::string_view svg) {
   return texts;
 }
 
+std::set<std::string> words_in(const Picture& picture) {
+  const auto svg = render(picture, PictureFormat::Svg);
+  const auto texts = texts_in(svg.value_or(""));
+  return {texts.begin(), texts.end()};
+}
+
 }  // namespace ganglion::plot

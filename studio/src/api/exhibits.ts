@@ -1,6 +1,6 @@
 // What is shown, by form: docs/studio_api.md, Exhibits. Words in both languages, roles by name, points as x, y, x, y...
 import roles from './roles.json';
-import type { Worded } from './types';
+import type { Worded } from './words';
 
 /** How a role is drawn and called: the table of ganglion/exhibit/role.cpp, which a test holds this one to. */
 export interface RoleLook extends Worded {

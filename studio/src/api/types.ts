@@ -1,9 +1,10 @@
 // What the server says: docs/studio_api.md. Angles in rad, lengths in m, times in s of the run.
 import type { Whose } from './exhibits';
+import type { Language, Worded } from './words';
+
+export type { Language, Worded };
 
 export type ComponentClass = 'goal' | 'sensation' | 'sensing' | 'acting' | 'coordinator';
-export type Language = 'en' | 'es';
-export type Worded = Record<Language, string>;
 export type Value = number | string | boolean | number[];
 
 export interface PortDescriptor {
