@@ -10,6 +10,14 @@ using lab::FaultRow, lab::Outcome, lab::Quartiles;
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
+/// Of the whole outcome what scripts were promised.
+Json run_json(const Outcome& outcome) {
+  Json whole = lab::outcome_json(outcome), run;
+  for (const char* key : {"seed", "success", "reason", "digest", "contacts", "measures", "files"})
+    run[key] = std::move(whole[key]);
+  return run;
+}
+
 std::size_t count(const std::vector<Outcome>& outcomes, Verdict verdict) {
   return static_cast<std::size_t>(std::ranges::count(outcomes, verdict, &Outcome::verdict));
 }
@@ -53,7 +61,7 @@ std::string measures_table(const std::vector<Quartiles>& measures, bool one_run,
 
 std::string results_json(const std::vector<Outcome>& outcomes) {
   Json runs = Json::array();
-  for (const Outcome& outcome : outcomes) runs.push_back(lab::outcome_json(outcome));
+  for (const Outcome& outcome : outcomes) runs.push_back(run_json(outcome));
   const Json summary = {{"count", outcomes.size()},
                         {"succeeded", count(outcomes, Verdict::Succeeded)},
                         {"quartiles", quartiles_json(quartiles(outcomes))}};

@@ -47,8 +47,8 @@ struct Outcome {
 /// What a run tells of itself, before anything is made of its file.
 Outcome outcome_of(Job job, const RunResult& result);
 
-/// As `run --json` writes it: seed, success (null: not judged), reason, reason_es, digest, contacts, measures (null: no
-/// number), files, interventions, experiment, set, episode, faults, troubles.
+/// All of it: seed, success (null: not judged), reason, reason_es, digest, contacts, measures (null: no number), files,
+/// interventions, experiment, set, episode, faults, troubles. `run --json` writes some of these.
 nlohmann::ordered_json outcome_json(const Outcome& outcome);
 /// The other way, also of files that an older program wrote: only success and measures must be there. `where` opens
 /// messages: "runs[3]". Fails with BadType.
