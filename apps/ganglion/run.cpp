@@ -229,7 +229,8 @@ int run_command(const RunArguments& arguments) {
   if (!experience) return complain(experience.error());
   for (const Sentence& one : experience->notes) note(one);
   if (!arguments.faults.empty()) {
-    return run_faults(*prepared, arguments, seeds.value_or(SeedRange{1, kFaultSeeds}), std::move(experience->remembered));
+    return run_faults(*prepared, arguments, seeds.value_or(SeedRange{1, kFaultSeeds}),
+                      std::move(experience->remembered));
   }
   return run_many(*prepared, arguments, *seeds, std::move(experience->remembered));
 }

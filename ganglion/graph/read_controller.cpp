@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
+#include <utility>
 
 #include "ganglion/base/text.h"
 #include "ganglion/config/table.h"
@@ -359,10 +360,13 @@ ControllerModel read_controller(const config::Value& value, const KindList& kind
   model.tick_s = root.number("tick_s", 0, config::Range{0, 3600});
   root.known("layout");
   std::size_t bytes = 0;
+  bool refused = false;  // the rest is not looked at, and not complained of
   for (const ComponentClass component_class : kClasses) {
     for (Table& table : root.tables(name_of(component_class))) {
       const bool too_many = model.components.size() >= kMaxComponents;
       if (too_many || bytes > kMaxFileTexts) {
+        for (const std::string& key : table.keys()) table.known(key);
+        if (std::exchange(refused, true)) continue;
         if (too_many) {
           root.problem("", ErrorCode::TooLarge, {"more than {} components", "más de {} componentes"}, kMaxComponents);
         } else {
@@ -371,14 +375,14 @@ ControllerModel read_controller(const config::Value& value, const KindList& kind
                          "los archivos que nombran los parámetros suman más de {} bytes"},
                         kMaxFileTexts);
         }
-        for (const std::string& key : table.keys()) table.known(key);
-        return model;
+        continue;
       }
       const std::size_t before = model.components.size();
       read_component(table, component_class, kinds, model);
       if (model.components.size() > before) bytes += file_bytes(model.components.back());
     }
   }
+  if (refused) return model;
   gather_misread(root, model);
   check_ids(model, problems);
   return model;

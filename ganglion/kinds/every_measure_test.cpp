@@ -20,17 +20,25 @@ TEST_P(OfMeasures, TellsAllItsFiguresWhateverTheTruth) {
   const testing::WalledTerrain ground(5, true);
   const auto truth = sim::truth_channels();
   const std::vector<MeasuredSignal> signals = {{"arbiter.share.escape", "", Meaning::None}};
+  std::vector<LedgerForm> forms;  // of every kind of task, as if nobody knew what they keep
+  for (const TaskKind* kind : task_kinds())
+    forms.push_back((*kind->make(Parameters(kind->descriptor.parameters)))->form());
+  const std::vector<const Ledger*> ledgers(forms.size(), nullptr);
   for (const MeasureScope& scope :
        {MeasureScope{},
-        MeasureScope{.truth = truth, .signals = signals, .goals = {}, .terrain = &ground, .radius_m = 0.1}}) {
+        MeasureScope{.truth = truth, .signals = signals, .ledgers = forms, .terrain = &ground, .radius_m = 0.1}}) {
     const std::vector<Figure> figures = GetParam()->figures(scope);
     if (figures.empty()) continue;
     const auto measure = GetParam()->make(scope);
     std::vector<double> row(scope.truth.size(), 0.0), told(scope.signals.size(), 0.0);
-    measure->begin({.time_s = 0, .step_s = 0.1, .truth = row, .signals = told}, nullptr);
+    measure->begin({.time_s = 0, .step_s = 0.1, .truth = row, .signals = told, .ledgers = ledgers}, nullptr);
     for (std::size_t tick = 1; tick <= 70; ++tick) {
       std::fill(row.begin(), row.end(), kTruths[tick % kTruths.size()]);
-      measure->update({.time_s = 0.1 * static_cast<double>(tick), .step_s = 0.1, .truth = row, .signals = told});
+      measure->update({.time_s = 0.1 * static_cast<double>(tick),
+                       .step_s = 0.1,
+                       .truth = row,
+                       .signals = told,
+                       .ledgers = ledgers});
     }
     std::vector<double> values(figures.size(), kUntold);
     measure->report(values);

@@ -44,13 +44,16 @@ std::string button(std::string_view id, Key key, Language language, std::string_
                      safe(say(key, language)), icons);
 }
 
+/// Whether anything of the run stands somewhere: a plant that shows nothing does not.
+bool has_place(const plot::RunView& run) { return plot::has_way(run) || run.scene.bounds || !run.exhibits.empty(); }
+
 std::string stage(const plot::RunView& run, Language language) {
   const plot::Bounds bounds = plot::bounds_of(run);
   const Vector2 size = bounds.upper - bounds.lower;
   const double aspect = std::clamp(size.x / size.y, 0.7, 2.4);
-  std::string html =
-      fmt::format("<div class=\"stage\">\n<canvas id=\"stage\" role=\"img\" {} style=\"--aspect: {:.3f}\"></canvas>\n",
-                  labelled("stage", language), aspect);
+  std::string html = fmt::format(
+      "<div class=\"stage\"{}>\n<canvas id=\"stage\" role=\"img\" {} style=\"--aspect: {:.3f}\"></canvas>\n",
+      has_place(run) ? "" : " hidden", labelled("stage", language), aspect);
   html += fmt::format("<button type=\"button\" id=\"big-play\" {}>{}</button>\n", labelled("play", language),
                       "<svg viewBox=\"0 0 20 20\" aria-hidden=\"true\"><path d=\"M5 2l13 8-13 8z\"/></svg>");
   html += "<div class=\"zoom\">\n" + button("nearer", "nearer", language, kNearerIcon) +

@@ -1,4 +1,5 @@
 #include "ganglion/run/inputs.h"
+#include "ganglion/run/controller_hash.h"
 
 #include <gtest/gtest.h>
 

@@ -179,10 +179,11 @@ TEST_F(ATouchedRun, FailsWhereWhatWasPlannedCannotBe) {
 
 TEST_F(ATouchedRun, RefusesWhereTheRobotsAreAtTheOtherEndOfALink) {
   const Prepared here = prepared();
-  RunRobots robots = RunRobots::make_here(here.application->make().value()).value();
+  const auto application = here.application->make().value();
+  ASSERT_TRUE(application->reset(1, 0));
   link::RobotEndConfig config;
   config.token = link::random_token;
-  link::RobotEnd end(robots.application(), config);
+  link::RobotEnd end(*application, config);
   const link::Serving serving(end);
   const std::string address = "\"" + serving.address().text + "\"";
   RunOptions options;

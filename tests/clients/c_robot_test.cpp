@@ -46,11 +46,11 @@ TEST(CRobot, DescribesItselfAsItsFileDoes) {
   ASSERT_TRUE(description) << description.error().what.en;
   EXPECT_EQ(description->name, "Bench robot");
   EXPECT_EQ(description->tick_s, 0.1);
-  EXPECT_EQ(description->width_m, 0.2);
+  EXPECT_EQ(description->body->width_m, 0.2);
   ASSERT_EQ(description->sensations.size(), 3u);
   EXPECT_EQ(description->sensations[0].max, 3);
-  EXPECT_EQ(description->sensations[0].mount.position.y, -0.1);
-  EXPECT_NEAR(description->sensations[0].mount.yaw.deg(), 45, 1e-12);
+  EXPECT_EQ(description->mount(description->sensations[0].name)->pose.position.y, -0.1);
+  EXPECT_NEAR(description->mount(description->sensations[0].name)->pose.yaw.deg(), 45, 1e-12);
   EXPECT_EQ(description->sensations[1].type, ValueType::Circular);
   EXPECT_EQ(description->sensations[1].period_s, 0.2);
   EXPECT_EQ(description->sensations[2].elements, (std::vector<std::string>{"x", "y"}));

@@ -66,22 +66,22 @@ class Undisturbed {
  public:
   explicit Undisturbed(const Prepared& prepared)
       : step_s_(prepared.step_s),
-        simulation_(std::move(*sim::Simulation::make(prepared.simulation(prepared.ground, {})))),
-        controller_(std::move(*Controller::compile(prepared.controller, prepared.robot->description, controller_kinds(),
-                                                   {.seed = kSeed}))),
-        sense_(1, make_sense_frame(prepared.robot->description)),
-        act_(1, make_act_frame(prepared.robot->description)) {
-    EXPECT_TRUE(simulation_->reset(kSeed, 0));
+        application_(prepared.application->make().value()),
+        controller_(std::move(*Controller::compile(prepared.controller, prepared.application->description(),
+                                                   controller_kinds(), {.seed = kSeed}))),
+        sense_(1, make_sense_frame(prepared.application->description())),
+        act_(1, make_act_frame(prepared.application->description())) {
+    EXPECT_TRUE(application_->reset(kSeed, 0));
     before_ = known();
   }
 
   void go_on_to(std::size_t ticks) {
     while (ticks_ < ticks) {
-      simulation_->sense(sense_);
+      application_->sense(sense_);
       make_canonical(sense_[0]);
       controller_.tick(sense_[0], step_s_, act_[0]);
       make_canonical(act_[0]);
-      simulation_->step(act_, step_s_);
+      application_->step(act_, step_s_);
       controller_.grow();
       ++ticks_;
       knew_[known()] = ticks_;
@@ -107,7 +107,7 @@ class Undisturbed {
   }
 
   double step_s_;
-  std::unique_ptr<sim::Simulation> simulation_;
+  std::unique_ptr<Application> application_;
   Controller controller_;
   std::vector<SenseFrame> sense_;
   std::vector<ActFrame> act_;
@@ -173,7 +173,8 @@ class KilledWhileLearning : public FolderTest {
 
   /// What is left serves a new run.
   void expect_loadable(const ExperienceStore& store) const {
-    auto fresh = Controller::compile(prepared_->controller, prepared_->robot->description, controller_kinds(), {});
+    auto fresh =
+        Controller::compile(prepared_->controller, prepared_->application->description(), controller_kinds(), {});
     ASSERT_TRUE(fresh);
     const auto parts = store.load_all();
     ASSERT_TRUE(parts) << parts.error().text();
