@@ -38,8 +38,9 @@ class HandedOver : public FolderTest {};
 
 TEST_F(HandedOver, ExperienceLeavesTheRunAsItWouldBe) {
   Problems problems;
-  const auto prepared =
-      prepare(std::string(GANGLION_SOURCE_DIR) + "/experiments/pathfinder", {{"run.duration_s", "200"}}, problems);
+  const std::filesystem::path pathfinder = std::filesystem::path(GANGLION_SOURCE_DIR) / "experiments/pathfinder";
+  const std::vector<config::Override> shortened = {{"run.duration_s", "200"}};
+  const auto prepared = prepare(pathfinder, shortened, problems);
   ASSERT_TRUE(prepared) << problems.text();
   RunOptions options;
   const auto forgetful = run(*prepared, options);
