@@ -95,8 +95,9 @@ const Item* find(std::span<const Item> items, std::string_view name) noexcept {
 }  // namespace
 
 std::string_view name_of(ComponentClass component_class) noexcept {
-  constexpr std::array<std::string_view, 11> kNames = {"sensation", "sensing", "goal",  "acting", "coordinator",
-                                                       "sensor",    "drive",   "plant", "task",   "measure", "picture"};
+  constexpr std::array<std::string_view, 11> kNames = {"sensation",   "sensing", "goal",   "acting",
+                                                       "coordinator", "sensor",  "drive",  "plant",
+                                                       "task",        "measure", "picture"};
   return kNames[static_cast<std::size_t>(component_class)];
 }
 

@@ -15,7 +15,19 @@ namespace ganglion {
 
 /// What a described kind is part of. The first five are drawn in a controller (colours in studio.md); the next
 /// four make up applications; measures judge a run and pictures show it.
-enum class ComponentClass { Sensation, Sensing, Goal, Acting, Coordinator, Sensor, Drive, Plant, Task, Measure, Picture };
+enum class ComponentClass {
+  Sensation,
+  Sensing,
+  Goal,
+  Acting,
+  Coordinator,
+  Sensor,
+  Drive,
+  Plant,
+  Task,
+  Measure,
+  Picture
+};
 
 /// The class as written in files and JSON: "sensation", "sensing", "goal", "acting", "coordinator", "sensor"...
 std::string_view name_of(ComponentClass) noexcept;

@@ -14,8 +14,8 @@ void note_unknown_ground(const std::filesystem::path& file, const ModuleExperien
   if (component.descriptor == nullptr || component.descriptor->name != learned.kind) return;
   for (const std::string_view name : component.descriptor->rests_on) {
     notes.push_back(say({"{}: note: an older program wrote it; \"{}\" is taken as learned with {} = {}",
-              "{}: nota: lo escribió un programa más antiguo; se supone que \"{}\" se aprendió con {} = {}"},
-             file.string(), learned.component, name, component.parameters.text(name)));
+                         "{}: nota: lo escribió un programa más antiguo; se supone que \"{}\" se aprendió con {} = {}"},
+                        file.string(), learned.component, name, component.parameters.text(name)));
   }
 }
 

@@ -107,8 +107,8 @@ bool probe_controller(const fs::path& experiment, const fs::path& controller) {
   const std::string name = (experiment.filename() / controller.filename()).generic_string();
   for (const char* robots : {"1", "4"}) {
     Problems problems;
-    const auto prepared = prepare(experiment, {{"application.robots", robots}}, problems,
-                                  {.experiment = {}, .controller = controller});
+    const auto prepared =
+        prepare(experiment, {{"application.robots", robots}}, problems, {.experiment = {}, .controller = controller});
     if (!prepared) {
       std::fprintf(stderr, "%s\n", problems.text().c_str());
       return false;

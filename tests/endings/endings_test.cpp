@@ -151,7 +151,8 @@ TEST_F(Endings, WithoutTheirOwnRunFileAreTold) {
   fs::remove(run_file());
   program.send(SIGINT);
   EXPECT_EQ(program.wait(), 4);
-  EXPECT_NE(program.err().find("seed_0001.mcap: cannot be read again: there is no such file"), std::string::npos) << program.err();
+  EXPECT_NE(program.err().find("seed_0001.mcap: cannot be read again: there is no such file"), std::string::npos)
+      << program.err();
   EXPECT_NE(program.out().find("\"digest\""), std::string::npos) << "the result is told all the same";
 }
 
