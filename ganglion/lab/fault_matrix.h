@@ -16,7 +16,7 @@ struct FaultCase {
 /// More cases than this are refused: at twenty seeds each they would go on for days.
 inline constexpr std::size_t kMaxFaultCases = 20'000;
 
-/// Every single fault of what the controller uses, the healthy robot first: each wired sensor (trainers apart) dead,
+/// Every single fault of what the controller uses, the healthy robot first: each wired sensor (tasks apart) dead,
 /// stuck, biased, noisy, late; like sensors swapped; each element of a command weak; frames and commands lost or late.
 /// Sizes are ours: 20 deg and 10 deg of bias and noise, 0.10 m and 0.05 m, 5 and 2.5 % of the range of other real
 /// values; half the power; 0.5 s late for one sensor and 0.2 s for all; one frame in five lost.

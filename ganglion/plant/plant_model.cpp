@@ -5,7 +5,7 @@
 namespace ganglion {
 namespace {
 
-constexpr int kMostPlants = 10'000;
+constexpr int kMostPlants = 100;  // a dead time of a minute takes each of them 1 MB
 
 }  // namespace
 
@@ -43,7 +43,11 @@ std::shared_ptr<const ApplicationModel> PlantModel::read(const ApplicationSource
         "world", ErrorCode::BadParameter,
         {"a plant stands in no world: leave it out", "una planta no está en ningún mundo: quítelo"});
   }
-  model->plants_ = std::clamp(source.robots, 1, kMostPlants);
+  model->plants_ = source.robots;
+  if (source.setting != nullptr && source.robots > kMostPlants) {
+    source.setting->problem("robots", ErrorCode::TooLarge,
+                            {"{} plants; the limit is {}", "{} plantas; el límite es {}"}, source.robots, kMostPlants);
+  }
   {
     config::Table root(source.file, "", problems, source.outline);
     root.opens_by(source.files);

@@ -1,6 +1,7 @@
 #include "ganglion/task/tasked_application.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "ganglion/base/hash.h"
 #include "ganglion/base/text.h"
@@ -61,6 +62,7 @@ Outlook TaskedApplication::outlook(int robot) const noexcept {
 }
 
 Result<void> TaskedApplication::reset(std::uint64_t seed, std::uint32_t episode) {
+  set_ = false;
   if (auto done = inner_->reset(seed, episode); !done) return done;
   tick_ = 0;
   for (int robot = 0; robot < robots(); ++robot) {
@@ -71,11 +73,13 @@ Result<void> TaskedApplication::reset(std::uint64_t seed, std::uint32_t episode)
       if (!begun) return begun;
     }
   }
+  set_ = true;
   judge();
   return {};
 }
 
 void TaskedApplication::judge() noexcept {
+  if (!set_) return;
   for (int robot = 0; robot < robots(); ++robot) {
     const Outlook now = outlook(robot);
     for (Set& set : sets_) set.tasks[static_cast<std::size_t>(robot)]->judge(now);
@@ -87,7 +91,9 @@ void TaskedApplication::sense(std::span<SenseFrame> frames) noexcept {
   for (std::size_t robot = 0; robot < frames.size(); ++robot) {
     const Outlook now = outlook(static_cast<int>(robot));
     auto values = std::span(frames[robot].values).subspan(own_values_);
+    std::fill(values.begin(), values.end(), std::numeric_limits<double>::quiet_NaN());
     for (const Set& set : sets_) {
+      if (!set_) break;
       set.tasks[robot]->tell(now, values.first(set.values));
       values = values.subspan(set.values);
     }
@@ -109,6 +115,10 @@ Result<Intervened> TaskedApplication::intervene(const Intervention& what) {
     return fail(ErrorCode::NotFound,
                 {"there is no robot {}: they are numbered from 0 to {}", "no existe el robot {}: se numeran de 0 a {}"},
                 what.robot, robots() - 1);
+  }
+  if (!set_) {
+    return fail(ErrorCode::Unsupported,
+                {"the tasks have not begun: reset first", "las tareas no han empezado: reinicie antes"});
   }
   for (Set& set : sets_) {
     Task& task = *set.tasks[static_cast<std::size_t>(what.robot)];

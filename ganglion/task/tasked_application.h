@@ -9,7 +9,7 @@ namespace ganglion {
 
 /// An application with the tasks that are set to each of its robots: their channels stand behind its own in a frame, of
 /// which it fills the first values only. What `ganglion sim` serves and a run drives. reset() takes memory; sense() and
-/// step() take none.
+/// step() take none. After a reset that failed the tasks' channels are NaN, and nothing is judged.
 class TaskedApplication final : public Application, public Witness {
  public:
   /// `description` is that of the inner application with the tasks' channels behind. Fails where a task cannot be made,
@@ -59,6 +59,7 @@ class TaskedApplication final : public Application, public Witness {
   std::vector<LedgerForm> ledgers_;
   std::vector<InterventionDescriptor> interventions_;
   std::uint32_t tick_ = 0;
+  bool set_ = false;  // the tasks have begun; not after a reset that failed
 };
 
 }  // namespace ganglion

@@ -91,6 +91,48 @@ TEST(TaskedApplication, NeedsToKnowTheTruthButNotWithoutATask) {
   EXPECT_TRUE(TaskedApplication::make(std::make_unique<Counter>(false), file.description, {}));
 }
 
+/// A task that begins where it is willing to.
+class Moody final : public Task {
+ public:
+  Result<void> begin(const Outlook&, Draws) override {
+    if (willing) return {};
+    return fail(ErrorCode::BadParameter, {"not now", "ahora no"});
+  }
+  void judge(const Outlook&) noexcept override { ++judged; }
+  void tell(const Outlook&, std::span<double> values) const noexcept override { values[0] = 1; }
+  static inline bool willing = true;
+  static inline int judged = 0;
+};
+constexpr std::array kMood = {
+    PortDescriptor{.name = "mood", .title = {"mood", "ánimo"}, .help = {"1", "1"}, .role = PortRole::Output}};
+constexpr TaskKind kMoody{
+    .descriptor = {.component_class = ComponentClass::Task, .name = "Moody", .ports = kMood},
+    .make = [](const Parameters&) -> Result<std::unique_ptr<Task>> { return std::make_unique<Moody>(); }};
+
+TEST(TaskedApplication, AsksATaskNothingAfterAResetThatFailed) {
+  Description description = Counter(true).description();
+  description.sensations.push_back({.name = "a.mood"});
+  std::vector<TaskModel> tasks(1);
+  tasks[0].id = "a";
+  tasks[0].kind = &kMoody;
+  auto made = TaskedApplication::make(std::make_unique<Counter>(true), description, tasks);
+  ASSERT_TRUE((*made)->reset(1, 0));
+  std::vector<SenseFrame> sense(2, make_sense_frame((*made)->description()));
+  std::vector<ActFrame> act(2, make_act_frame((*made)->description()));
+  (*made)->sense(sense);
+  EXPECT_EQ(sense[0].values[1], 1);
+  Moody::willing = false;
+  ASSERT_FALSE((*made)->reset(1, 1));
+  const int judged = Moody::judged;
+  (*made)->step(act, 1);
+  (*made)->sense(sense);
+  EXPECT_EQ(Moody::judged, judged);
+  EXPECT_TRUE(std::isnan(sense[0].values[1]));
+  EXPECT_EQ((*made)->intervene({"goal", 0, "", {}}).error().what.en, "the tasks have not begun: reset first");
+  Moody::willing = true;
+  ASSERT_TRUE((*made)->reset(1, 2));
+}
+
 TEST(TaskedApplication, RefusesInterventionsThatNobodyTakes) {
   const Read file = read(kTwo);
   auto made = TaskedApplication::make(std::make_unique<Counter>(true), file.description, file.tasks);

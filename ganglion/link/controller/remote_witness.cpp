@@ -10,6 +10,7 @@ namespace {
 
 constexpr int kMaxTruthChannels = 256;
 constexpr int kMaxLedgers = 64;
+constexpr std::size_t kMaxRows = 1'000'000;  // of all robots together
 
 int index_in(const auto& list, std::string_view name) {
   for (int n = 0; n < static_cast<int>(list.size()); ++n) {
@@ -99,6 +100,7 @@ Result<void> RemoteWitness::take(const wire::Sense& sense, double time_s, bool f
   }
   if (first) {
     for (Copy& copy : copies_) copy.clear();
+    rows_taken_ = 0;
   }
   return take_rows(sense);
 }
@@ -125,7 +127,8 @@ Result<void> RemoteWitness::take_rows(const wire::Sense& sense) {
     row_.clear();
     for (const std::size_t column : told.order) row_.push_back(row.values(static_cast<int>(column)));
     Copy& copy = copies_[row.robot() * copies() + static_cast<std::size_t>(told.hoped)];
-    if (!copy.set(row.row(), row_)) {
+    rows_taken_ += row.row() == copy.rows() ? 1 : 0;
+    if (rows_taken_ > kMaxRows || !copy.set(row.row(), row_)) {
       return wrong(say({"row {} after {} rows", "la fila {} tras {} filas"}, row.row(), copy.rows()));
     }
   }

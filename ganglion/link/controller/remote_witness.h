@@ -75,6 +75,7 @@ class RemoteWitness final : public Witness {
   std::vector<Told> told_;
   std::vector<Copy> copies_;  // robot by robot
   std::vector<double> row_;
+  std::size_t rows_taken_ = 0;  // of all copies, in this episode
   std::vector<std::string> mover_ids_;
   std::vector<PlacedMover> movers_;
   double time_s_ = 0;

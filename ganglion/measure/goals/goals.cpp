@@ -144,7 +144,7 @@ extern constinit const MeasureKind goals_kind{
     .descriptor =
         {.component_class = ComponentClass::Measure,
          .name = "Goals",
-         .summary = {"What became of a trainer's goals: goals_set, goals_reached, goals_missed, travel_ratio_late "
+         .summary = {"What became of a task's goals: goals_set, goals_reached, goals_missed, travel_ratio_late "
                      "and others, and goals_done for stop rules",
                      "Qué fue de los objetivos de un entrenador: goals_set, goals_reached, goals_missed, "
                      "travel_ratio_late y otras, y goals_done para parar"},

@@ -31,6 +31,11 @@ Result<void> Process::judge(ProcessConfig& config) {
                  "loads tiene {} números y load_s {}: hace falta un tiempo para cada carga"},
                 config.loads.size(), config.load_s.size());
   }
+  if (config.loads.size() > kMaxLoads) {
+    return fail(ErrorCode::TooLarge,
+                {"loads has {} numbers; the limit is {}", "loads tiene {} números; el límite es {}"},
+                config.loads.size(), kMaxLoads);
+  }
   if (!std::is_sorted(config.load_s.begin(), config.load_s.end())) {
     return fail(ErrorCode::BadParameter, {"load_s must be in order of time", "load_s debe ir por orden de tiempo"});
   }

@@ -29,7 +29,8 @@ struct ProcessConfig {
 class Process final : public Plant {
  public:
   explicit Process(ProcessConfig config) : config_(std::move(config)) {}
-  /// Fails with BadParameter where min > max, or loads and their times do not go together.
+  /// Fails with BadParameter where min > max, or loads and their times do not go together;
+  /// with TooLarge over kMaxLoads of them.
   static Result<void> judge(ProcessConfig& config);
 
   CommandElement element(std::size_t n) const override;
@@ -40,6 +41,8 @@ class Process final : public Plant {
   void tell(std::span<double> truths) const noexcept override;
   double cost() const noexcept override { return cost_; }
   bool failed() const noexcept override;
+
+  static constexpr std::size_t kMaxLoads = 1000;  ///< Each step looks through them.
 
  private:
   /// A command, and from when on it acts.

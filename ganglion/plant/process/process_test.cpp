@@ -85,6 +85,8 @@ TEST(Process, RefusesWhatDoesNotGoTogether) {
   EXPECT_EQ(Process::judge(crossed).error().what.en, "min is 1, must be <= max = 0");
   ProcessConfig few{.loads = {1, 2}, .load_s = {3}};
   EXPECT_EQ(Process::judge(few).error().what.en, "loads has 2 numbers and load_s 1: one time for each load is needed");
+  ProcessConfig many{.loads = std::vector<double>(1001), .load_s = std::vector<double>(1001)};
+  EXPECT_EQ(Process::judge(many).error().what.en, "loads has 1001 numbers; the limit is 1000");
   ProcessConfig late{.loads = {1, 2}, .load_s = {3, 1}};
   EXPECT_EQ(Process::judge(late).error().what.en, "load_s must be in order of time");
 }

@@ -7,8 +7,8 @@
 namespace ganglion {
 namespace {
 
-constexpr double kTolerance_s = 1e-9;       // sums of steps differ from multiples by rounding
-constexpr std::size_t kMostSteps = 10'000;  // that are kept; later ones are asked for all the same
+constexpr double kTolerance_s = 1e-9;      // sums of steps differ from multiples by rounding
+constexpr std::size_t kMostSteps = 1'000;  // that are kept; later ones are asked for all the same
 
 constexpr std::array kPorts = {
     PortDescriptor{.name = "setpoint",
@@ -68,7 +68,7 @@ std::size_t Hold::turn(double time_s) const noexcept {
 
 Result<void> Hold::begin(const Outlook& now, Draws) {
   steps_.list.clear();
-  steps_.list.reserve(kMostSteps);
+  steps_.list.reserve(config_.again ? kMostSteps : config_.values.size());
   steps_.list.push_back({now.time_s, value(0)});
   turn_ = 0;
   steps_.all_set = last(0);
