@@ -175,6 +175,7 @@ Content content_of(const plot::RunView& run) {
     content.sensors = content.sensors || !robot.sensors.empty();
     content.behaviours = content.behaviours || !robot.coordinations.empty();
   }
+  content.way = plot::has_way(run);
   content.movers = !run.scene.movers.empty();
   content.walls = !run.scene.walls.empty() || !run.scene.solids.empty() || run.scene.map;
   content.furniture = !run.scene.furniture.empty();
@@ -187,11 +188,15 @@ Content content_of(const plot::RunView& run) {
 std::string legend_html(const plot::RunView& run, Language language) {
   const Content content = content_of(run);
   std::string html = "<details open>" + worded("summary", "legend", language) + "\n<ul class=\"legend\">\n";
-  html += row("<circle cx=\"17\" cy=\"10\" r=\"6\" fill=\"var(--start)\" stroke=\"#22272e\"/>", "start", language);
-  html += row(body_shape("wall", 2), "body", language) + row(body_shape("contact", 3), "touching", language);
-  html += content.behaviours
-              ? behaviours(run)
-              : row("<path d=\"M1 10H33\" stroke=\"var(--trail)\" stroke-width=\"3\"/>", "trail", language);
+  if (content.way) {
+    html += row("<circle cx=\"17\" cy=\"10\" r=\"6\" fill=\"var(--start)\" stroke=\"#22272e\"/>", "start", language);
+    html += row(body_shape("wall", 2), "body", language) + row(body_shape("contact", 3), "touching", language);
+  }
+  if (content.behaviours) {
+    html += behaviours(run);
+  } else if (content.way) {
+    html += row("<path d=\"M1 10H33\" stroke=\"var(--trail)\" stroke-width=\"3\"/>", "trail", language);
+  }
   if (content.behaviours)
     html +=
         row("<g stroke=\"var(--look-1)\"><rect x=\"2\" y=\"4\" width=\"30\" height=\"12\" fill=\"none\" "

@@ -9,6 +9,7 @@ namespace ganglion::report {
 
 /// What there is in a run to be shown or switched off.
 struct Content {
+  bool way = false;
   bool sensors = false;
   bool movers = false;
   bool behaviours = false;

@@ -6,7 +6,6 @@
 #include <limits>
 #include <set>
 
-#include "ganglion/report/dictionary.h"
 #include "ganglion/report/html.h"
 #include "ganglion/report/legend_html.h"
 #include "ganglion/report/player_data.h"
@@ -44,7 +43,7 @@ std::string button(std::string_view id, Key key, Language language, std::string_
                      safe(say(key, language)), icons);
 }
 
-/// Whether anything of the run stands somewhere: a plant that shows nothing does not.
+/// Whether anything of the run may be drawn on a stage.
 bool has_place(const plot::RunView& run) { return plot::has_way(run) || run.scene.bounds || !run.exhibits.empty(); }
 
 std::string stage(const plot::RunView& run, Language language) {
@@ -125,7 +124,7 @@ std::string layers(const plot::RunView& run, Language language) {
   const Content content = content_of(run);
   std::string html = fmt::format("<div class=\"layers\" role=\"group\" {}>\n", labelled("layers", language));
   html += robot_choice(run, language);
-  html += switch_for("trail", "trail", language);
+  if (plot::has_way(run)) html += switch_for("trail", "trail", language);
   if (content.sensors) html += switch_for("sonar", "sonar", language);
   html += field_choice(run, language) + mark_switches(run, language);
   if (content.movers) html += switch_for("movers", "movers", language);
@@ -143,6 +142,8 @@ std::string keys(Language language) {
 
 }  // namespace
 
+bool can_be_watched(const plot::RunView& run) { return has_place(run) || content_of(run).behaviours; }
+
 std::string player_section(const plot::RunView& run, Language language) {
   std::string html = "<section aria-labelledby=\"watch\">\n" + worded("h2", "watch", language, "id=\"watch\"") + "\n";
   html += "<noscript>" + worded("p", "needs_script", language) + "</noscript>\n";
@@ -154,8 +155,7 @@ std::string player_section(const plot::RunView& run, Language language) {
           " <span id=\"behaviour-name\"></span></span><span id=\"place\"></span></div>\n<dl id=\"readings\"></dl>\n"
           "<p class=\"told\" id=\"told\" role=\"status\"></p>\n";
   html += legend_html(run, language) + keys(language);
-  html += "<script type=\"application/json\" id=\"run\">" + player_data(run) + "</script>\n";
-  html += "<script type=\"application/json\" id=\"words\">" + dictionary_json() + "</script>\n</section>\n";
+  html += "<script type=\"application/json\" id=\"run\">" + player_data(run) + "</script>\n</section>\n";
   return html;
 }
 

@@ -8,6 +8,7 @@
 #include "ganglion/base/file.h"
 #include "ganglion/base/text.h"
 #include "ganglion/plot/pictures/pictures.h"
+#include "ganglion/report/dictionary.h"
 #include "ganglion/report/embedded.h"
 #include "ganglion/report/html.h"
 #include "ganglion/report/player_exhibits.h"
@@ -114,8 +115,10 @@ std::string events(const plot::RunView& run, Language language) {
   for (std::size_t i = 0; i < std::min(run.events.size(), kMaxListedEvents); ++i) {
     const plot::Event& event = run.events[i];
     const double time_s = std::isfinite(event.time_s) ? event.time_s : 0;
-    html += fmt::format("<li><button type=\"button\" data-seek=\"{0:.3f}\">{0:.2f} s</button>{1}{2}</li>\n", time_s,
-                        level_of(event.severity, language), sentence(event.text));
+    const std::string time =
+        can_be_watched(run) ? fmt::format("<button type=\"button\" data-seek=\"{0:.3f}\">{0:.2f} s</button>", time_s)
+                            : fmt::format("<span>{:.2f} s</span>", time_s);
+    html += "<li>" + time + level_of(event.severity, language) + sentence(event.text) + "</li>\n";
   }
   html += "</ul>\n";
   if (run.events.size() > kMaxListedEvents) html += worded("p", "more_events", language);
@@ -127,10 +130,13 @@ std::string events(const plot::RunView& run, Language language) {
 Result<std::string> report_page(const plot::RunView& run, const ReportOptions& options) {
   const auto drawn = pictures(run, options.language);
   if (!drawn) return tl::unexpected(drawn.error());
+  const bool watched = can_be_watched(run);
   const std::string body = roles_style() + header(run, options.language) + "<main>\n" +
-                           player_section(run, options.language) + measures(run, options.language) + *drawn +
-                           events(run, options.language) + "</main>\n";
-  return page(run.name, options.language, body, kPlayerScript);
+                           (watched ? player_section(run, options.language) : "") + measures(run, options.language) +
+                           *drawn + events(run, options.language) +
+                           "</main>\n<script type=\"application/json\" id=\"words\">" + dictionary_json() +
+                           "</script>\n";
+  return page(run.name, options.language, body, watched ? kPlayerScript : kSwitchScript);
 }
 
 Result<void> write_report(const plot::RunView& run, const std::filesystem::path& path, const ReportOptions& options) {

@@ -189,6 +189,30 @@ TEST(Report, IsWrittenForRunsThatHaveNothing) {
   }
 }
 
+TEST(Report, LeavesOutWhatCannotBeWatched) {
+  RunView run = plot::sample_behaviour_run(1, 2);
+  run.scene = {};
+  run.exhibits.clear();
+  run.events = {{0.5, plot::Severity::Info, {"the load changed", "cambió la carga"}}};
+  for (plot::RobotView& robot : run.robots) {
+    robot.track = {};
+    robot.sensors.clear();
+  }
+  const std::string behaving = page_of(run);
+  EXPECT_NE(behaving.find("id=\"bands\""), std::string::npos)
+      << "which behaviour drives is watched without a place, too";
+  EXPECT_EQ(behaving.find("data-layer=\"trail\""), std::string::npos);
+  EXPECT_EQ(behaving.find("data-word=\"touching\""), std::string::npos);
+
+  for (plot::RobotView& robot : run.robots) robot.coordinations.clear();
+  const std::string html = page_of(run);
+  for (const std::string_view mark : {"<canvas", "id=\"watch\"", "<noscript", "data-seek=", "requestAnimationFrame"})
+    EXPECT_EQ(html.find(mark), std::string::npos) << mark;
+  for (const std::string_view mark :
+       {"the load changed", "cambió la carga", "0.50 s", "id=\"language\"", "id=\"words\""})
+    EXPECT_NE(html.find(mark), std::string::npos) << mark;
+}
+
 TEST(Report, NamesEveryControlForThoseWhoCannotSeeIt) {
   const std::string html = page_of(plot::sample_router_run());
   for (const std::string& button : between(html, "<button ", ">"))

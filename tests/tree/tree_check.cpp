@@ -43,6 +43,18 @@ Findings against_order(const Imports& imports, const std::string& root, const La
   return findings;
 }
 
+enum class Brace { Scope, Function, Value };
+
+/// What a brace opens after `head`, the words since the end of what stood before it.
+Brace brace_after(const std::string& head) {
+  static const std::regex kScope("^\\s*(namespace|class|struct|union|enum)\\b|\\bextern \"[^\"]*\"\\s*$");
+  if (std::regex_search(head, kScope)) return Brace::Scope;
+  const std::size_t last = head.find_last_not_of(" \n");
+  const bool whole = std::count(head.begin(), head.end(), '(') == std::count(head.begin(), head.end(), ')');
+  const bool called = whole && head.find('(') != std::string::npos;
+  return called && std::string_view("=,").find(head[last]) == std::string_view::npos ? Brace::Function : Brace::Value;
+}
+
 }  // namespace
 
 Layers parse_layers(std::string_view cmake_text) {
@@ -95,6 +107,38 @@ Findings check_length(const std::string& file, std::string_view text, int most_l
   if (!is_cpp(file) || lines <= most_lines) return {};
   return {
       {file, lines, "has " + std::to_string(lines) + " lines; split it, the limit is " + std::to_string(most_lines)}};
+}
+
+Findings check_functions(const std::string& file, std::string_view text, int most_lines) {
+  if (!is_cpp(file)) return {};
+  struct Open {
+    Brace brace;
+    int line;
+  };
+  const std::string code = code_of(text);
+  Findings findings;
+  std::vector<Open> open;
+  std::string head;
+  int line = 1;
+  for (const char c : code) {
+    const bool outside = open.empty() || open.back().brace == Brace::Scope;
+    if (c == '\n') ++line;
+    if (c == '{') {
+      open.push_back({outside ? brace_after(head) : Brace::Value, line});
+      if (outside && open.back().brace != Brace::Value) head.clear();
+    } else if (c == '}' && !open.empty()) {
+      const int lines = line - open.back().line + 1;
+      if (open.back().brace == Brace::Function && lines > most_lines)
+        findings.push_back(
+            {file, open.back().line,
+             "a function of " + std::to_string(lines) + " lines; the limit is " + std::to_string(most_lines)});
+      if (open.back().brace != Brace::Value) head.clear();
+      open.pop_back();
+    } else if (outside) {
+      head = c == ';' ? "" : head + c;
+    }
+  }
+  return findings;
 }
 
 bool is_tick_code(const std::string& file) {

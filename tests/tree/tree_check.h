@@ -30,6 +30,10 @@ Findings check_floors(const std::string& file, std::string_view text, const Laye
 /// Longer than a reader takes in.
 Findings check_length(const std::string& file, std::string_view text, int most_lines);
 
+/// Functions, those in classes too, that take more lines from where their body begins to where it ends; lambdas count with
+/// the function that they stand in.
+Findings check_functions(const std::string& file, std::string_view text, int most_lines);
+
 /// Whether a file runs inside ticks, where the same bits must come out on every machine.
 bool is_tick_code(const std::string& file);
 

@@ -78,6 +78,10 @@ TEST(Tree, HasNoFileTooLongToRead) {
   EXPECT_EQ(found([](const auto& file, const auto& text) { return check_length(file, text, 400); }), "");
 }
 
+TEST(Tree, HasNoFunctionTooLongToRead) {
+  EXPECT_EQ(found([](const auto& file, const auto& text) { return check_functions(file, text, 60); }), "");
+}
+
 TEST(Tree, CallsNeitherLibmNorClocksNorChanceInTicks) {
   EXPECT_EQ(found([](const auto& file, const auto& text) {
               return is_tick_code(file) ? check_tick_calls(file, text) : Findings();
@@ -147,6 +151,20 @@ TEST(CheckFloors, FindsFloorsAboveNeighboursAndStrangers) {
 TEST(CheckLength, CountsLines) {
   EXPECT_EQ(told(check_length("a.cpp", "1\n2\n3\n", 3)), "");
   EXPECT_EQ(told(check_length("a.cpp", "1\n2\n3\n4\n", 3)), "a.cpp:4: has 4 lines; split it, the limit is 3\n");
+}
+
+TEST(CheckFunctions, CountsLinesOfBodiesWhereverTheyStand) {
+  const auto lines = [](const char* text) {
+    std::string found;
+    for (const Finding& finding : check_functions("a.cpp", text, 2)) found += std::to_string(finding.line) + " ";
+    return found;
+  };
+  EXPECT_EQ(lines("void f() {\n}\n"), "");
+  EXPECT_EQ(lines("namespace a {\nint f(int a,\n      int b) {\n  return a;\n}\n}\n"), "3 ");
+  EXPECT_EQ(lines("class A : public B<int (*)()> {\n public:\n  A() : b_{1}, c_(2) {\n    b();\n  }\n};\n"), "3 ");
+  EXPECT_EQ(lines("A f(B = {}) const noexcept {\n  g([] {\n    h();\n  });\n}\n"), "1 ") << "not the lambda as well";
+  EXPECT_EQ(lines("A a = {\n  1,\n};\nA b{\n  f(1),\n};\nenum class C {\n  kOne,\n};\nauto d = e(A{\n1,\n});\n"), "");
+  EXPECT_EQ(lines("// f() {\nvoid f() { g(\"{\"); }\nint x;\n"), "");
 }
 
 TEST(CheckTickCalls, FindsLibmClocksAndChance) {
