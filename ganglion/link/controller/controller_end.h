@@ -56,6 +56,8 @@ class ControllerEnd {
 
   /// What came cannot be used.
   void fail(Sentence reason);
+  /// Told as if the robot had told it.
+  void warn(const Sentence& remark);
   /// Why the link is of no more use.
   const std::optional<Error>& failure() const noexcept { return failure_; }
   const wire::Describe& describe() const noexcept { return describe_; }
@@ -72,6 +74,10 @@ class ControllerEnd {
   void handle(FrameKind kind, double now_s);
   void heard_hello();
   void heard_describe();
+  /// A robot whose ticks lie behind ours again and again began anew, and did not say so.
+  bool began_anew(std::uint32_t tick) noexcept;
+  /// Why nothing was answered.
+  Sentence silence() const;
   void heard_sense(double now_s);
   void heard_bye(double now_s);
   void heard_beat(double now_s);
@@ -92,6 +98,7 @@ class ControllerEnd {
   Messages in_;
   std::string out_;
   bool connected_ = false;
+  bool welcomed_ = false;   // its Hello came over this connection
   bool greeted_ = false;    // Hello, Describe and the first Sense came over this connection
   bool described_ = false;  // over this connection
   Wanted waiting_for_ = Wanted::Nothing;
@@ -99,18 +106,22 @@ class ControllerEnd {
   std::string robot_program_;
   bool floats_ = false;  // the robot takes no doubles
   wire::Describe describe_;
+  std::string description_;  // its bytes, as the first connection told it
   wire::Sense sense_;
   wire::Reset reset_;
   wire::Act act_;
   wire::Beat beat_;
   std::uint32_t beats_answered_ = 0;
   std::uint32_t wanted_tick_ = 0;
-  double asked_s_ = 0;  // when the present request was made
-  double sent_s_ = 0;   // when it was last made over this connection
-  double heard_s_ = 0;  // the last byte
-  double beat_s_ = 0;   // of the last Beat
+  std::uint32_t older_tick_ = 0;  // of the last Sense that lies behind ours
+  int older_ = 0;                 // how many there were, one after the other
+  double asked_s_ = 0;            // when the present request was made
+  double sent_s_ = 0;             // when it was last made over this connection
+  double heard_s_ = 0;            // the last byte
+  double beat_s_ = 0;             // of the last Beat
   bool repeated_ = false;
   bool taken_ = false;  // the present Sense
+  Sentence misread_;    // of the last packet since an answer that was whole, and could not be read
   std::vector<wire::Event> events_;
   std::optional<Error> failure_;
   LinkStatistics statistics_;

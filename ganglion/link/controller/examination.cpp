@@ -5,6 +5,7 @@
 
 #include "ganglion/base/text.h"
 #include "ganglion/link/controller/controller_end.h"
+#include "ganglion/link/controller/robot_clock.h"
 #include "ganglion/link/wire/description.h"
 
 namespace ganglion::link {
@@ -170,6 +171,29 @@ class Examination {
                     "sus tramas se ajustan a la descripción; va por el ciclo {}"},
                    sense.tick()));
     for (const SenseFrame& frame : frames) check_values(frame);
+    if (sense.tick() > 0 && told_time_s(sense) == 0) {
+      tell(false,
+           say({"it tells no time at tick {}: fill in Sense.time_s or time_ms, or no run can tell old readings "
+                "from new ones",
+                "no dice la hora en el ciclo {}: complete Sense.time_s o time_ms, o ninguna ejecución distinguirá "
+                "lecturas viejas de nuevas"},
+               sense.tick()));
+    }
+    clock_.start(told_time_s(sense));
+    clock_tick_ = sense.tick();
+    clock_s_ = line_->now_s();
+  }
+
+  /// Follows the clock of a robot that runs by itself.
+  void watch_clock() {
+    const wire::Sense& sense = end_->sense();
+    if (!description_ || sense.tick() <= clock_tick_) return;
+    const double now_s = line_->now_s(), due_s = (sense.tick() - clock_tick_) * description_->tick_s;
+    const RobotClock::Step step = clock_.take(told_time_s(sense), due_s, now_s - clock_s_);
+    clock_tick_ = sense.tick();
+    clock_s_ = now_s;
+    const bool good = step == RobotClock::Step::Regular || step == RobotClock::Step::Wrapped;
+    if (!good && clock_.news()) tell(false, clock_.words(step));
   }
 
   void check_values(const SenseFrame& frame) {
@@ -191,6 +215,7 @@ class Examination {
     while (static_cast<int>(round_trips_s.size()) < kBeats && line_->now_s() < until_s && !end_->failure()) {
       const std::uint32_t before = end_->beats_answered();
       carry();
+      watch_clock();
       if (end_->beats_answered() != before) round_trips_s.push_back(end_->statistics().round_trip_s);
     }
     if (round_trips_s.empty()) {
@@ -234,6 +259,9 @@ class Examination {
   const ExaminationOptions& options_;
   std::vector<char> room_;
   std::optional<Description> description_;
+  RobotClock clock_;
+  std::uint32_t clock_tick_ = 0;
+  double clock_s_ = 0;  // by our own, when its last Sense was looked at
   bool good_ = true;
 };
 

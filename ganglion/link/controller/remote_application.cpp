@@ -112,6 +112,7 @@ void RemoteApplication::step(std::span<const ActFrame> frames, double step_s) no
   expects(frames.size() == act_.size());
   if (failure() != nullptr) return;
   for (std::size_t n = 0; n < frames.size(); ++n) map_->to_robot(frames[n], act_[n]);
+  asked_step_s_ = step_s;
   end_.act(act_, step_s, line_->now_s());
   if (config_.end.pace == wire::FREE_RUNNING) return flush();
   await();
@@ -129,8 +130,25 @@ void RemoteApplication::take_sense(bool first) noexcept {
              "un Sense de {} robots debe tener {} valores y {} antigüedades (o ninguna), como se describió"},
             robots_, sense_.size() * one.values.size(), sense_.size() * one.ages_s.size()));
   }
+  tell_time(first);
   if (witness_ == nullptr) return;
   if (auto taken = witness_->take(message, sense_.front().time_s, first); !taken) end_.fail(taken.error().what);
+}
+
+void RemoteApplication::tell_time(bool first) noexcept {
+  const double now_s = line_->now_s(), waited_s = now_s - std::exchange(taken_s_, now_s);
+  const std::uint32_t tick = sense_.front().tick, ticks = tick - std::exchange(taken_tick_, tick);
+  const double told_s = sense_.front().time_s;
+  if (first) return clock_.start(told_s);
+  if (ticks == 0) return;  // the link broke, and keeps what came last
+  const bool free = config_.end.pace == wire::FREE_RUNNING;
+  const RobotClock::Step step = clock_.take(told_s, ticks * (free ? file_.tick_s : asked_step_s_), waited_s);
+  for (SenseFrame& frame : sense_) {
+    frame.time_s = clock_.time_s();
+    for (double& age_s : frame.ages_s) age_s += clock_.stood_s();
+  }
+  if (clock_.hopeless()) return end_.fail(clock_.words(step));
+  if (step != RobotClock::Step::Regular && clock_.news()) end_.warn(clock_.words(step));
 }
 
 void RemoteApplication::await() noexcept {

@@ -7,6 +7,7 @@
 #include "ganglion/link/controller/controller_end.h"
 #include "ganglion/link/controller/line.h"
 #include "ganglion/link/controller/remote_witness.h"
+#include "ganglion/link/controller/robot_clock.h"
 #include "ganglion/link/wire/description.h"
 
 namespace ganglion::link {
@@ -57,6 +58,8 @@ class RemoteApplication final : public Application {
   /// Takes what has come, without waiting.
   void drain() noexcept;
   void take_sense(bool first) noexcept;
+  /// Gives the frames a time that grows, and readings that have no older time the age they have.
+  void tell_time(bool first) noexcept;
   Error error() const;
 
   std::unique_ptr<Line> line_;
@@ -69,6 +72,10 @@ class RemoteApplication final : public Application {
   std::unique_ptr<RemoteWitness> witness_;
   std::vector<SenseFrame> sense_;  // as the robot describes them
   std::vector<ActFrame> act_;
+  RobotClock clock_;
+  double asked_step_s_ = 0;  // of the last act
+  double taken_s_ = 0;       // by our clock, when the last Sense was taken
+  std::uint32_t taken_tick_ = 0;
   std::vector<char> room_;
   double tried_s_ = 0;  // to connect
 };

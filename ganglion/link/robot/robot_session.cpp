@@ -116,7 +116,8 @@ bool RobotEnd::begin(PeerId id, Peer& peer, bool again, double now_s) {
                 "demasiado tiempo en silencio: otro controlador tomó el lugar"}));
   }
   Session session;
-  session.token = config_.token();
+  // A Hello that is repeated since our answer was lost asks for the same session, whichever answer arrives.
+  session.token = again && !session_->commanded ? session_->token : config_.token();
   session.name = in_.hello.name().empty() ? peer.name : printable(in_.hello.name(), 100);
   session.pace = in_.hello.pace();
   session.peer = id;

@@ -114,6 +114,10 @@ void write_acts(std::span<const ActFrame> frames, bool floats, wire::Act& out) {
   }
 }
 
+double told_time_s(const wire::Sense& message) noexcept {
+  return canonical(message.time_ms() != 0 ? message.time_ms() / 1000.0 : message.time_s());
+}
+
 bool read_senses(const wire::Sense& message, std::span<SenseFrame> frames) noexcept {
   const std::size_t robots = frames.size(), values = robots * frames.front().values.size();
   Numbers ages(message.ages_s(), message.ages32_s()), costs(message.cost_j(), message.cost32_j());
@@ -123,7 +127,7 @@ bool read_senses(const wire::Sense& message, std::span<SenseFrame> frames) noexc
   Numbers numbers(message.values(), message.values32());
   for (SenseFrame& frame : frames) {
     frame.tick = message.tick();
-    frame.time_s = canonical(message.time_ms() != 0 ? message.time_ms() / 1000.0 : message.time_s());
+    frame.time_s = told_time_s(message);
     for (double& value : frame.values) value = numbers.next();
     for (double& age_s : frame.ages_s) age_s = ages.any() ? ages.next() : 0;
     frame.cost.reset();

@@ -18,6 +18,9 @@ void write_acts(std::span<const ActFrame> frames, bool floats, wire::Act& out);
 /// The time to live that holds for a whole Act: the longest of all channels, rounded up [ms]; 1 where all have run out.
 std::uint32_t ttl_ms_of(std::span<const ActFrame> frames) noexcept;
 
+/// The robot's clock as a Sense tells it [s]; 0 where it does not.
+double told_time_s(const wire::Sense& message) noexcept;
+
 /// Fill frames of the described size, tick and time included. False, and nothing changed, where the message has other
 /// sizes.
 bool read_senses(const wire::Sense& message, std::span<SenseFrame> frames) noexcept;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ganglion/base/expects.h"
+#include "ganglion/base/text.h"
 #include "ganglion/link/wire/cobs.h"
 
 namespace ganglion::link {
@@ -85,7 +86,10 @@ std::optional<std::string_view> FrameReader::next_packet() {
     begin_ = looked_ = end + 1;
     std::string_view payload;
     const bool whole = !skipping_ && open_packet(packet_, payload) && !payload.empty() && payload.size() <= limit_;
-    if (!whole && (skipping_ || length > 0)) ++damaged_;
+    if (!whole && (skipping_ || length > 0)) {
+      ++damaged_;
+      damaged_packet_ = printable(std::string_view(buffer_).substr(begin_ - length - 1, length), 60);
+    }
     skipping_ = false;
     if (!whole) continue;
     encoding_ = payload.front() == '{' ? Encoding::Json : Encoding::Binary;
@@ -96,6 +100,7 @@ std::optional<std::string_view> FrameReader::next_packet() {
 void append_frame(std::string_view payload, Carrier carrier, Encoding encoding, std::string& out) {
   expects(payload.size() <= kMaxFrameBytes);
   if (carrier == Carrier::Packets) {
+    out += '\0';  // ends whatever else was printed on the line
     append_packet(payload, out);
   } else if (encoding == Encoding::Json) {
     out += payload;

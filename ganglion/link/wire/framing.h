@@ -36,6 +36,8 @@ class FrameReader {
   std::optional<Encoding> encoding() const noexcept { return encoding_; }
   /// How many were left out since the last call.
   std::uint32_t take_damaged() noexcept { return std::exchange(damaged_, 0); }
+  /// The last one that was left out, as far as it can be printed, at most 60 characters: debug text of a board shows.
+  const std::string& damaged_packet() const noexcept { return damaged_packet_; }
 
  private:
   Result<std::optional<std::string_view>> next_line();
@@ -51,7 +53,7 @@ class FrameReader {
   std::size_t looked_ = 0;  // up to here there is no end of a line or packet
   bool skipping_ = false;   // a packet that is too large, up to its end
   std::uint32_t damaged_ = 0;
-  std::string packet_;
+  std::string packet_, damaged_packet_;
 };
 
 /// Appends a frame's bytes with what separates it from the next one.
