@@ -67,8 +67,9 @@ class WallCart final : public Application {
 
 struct Drive {
   double nearest_m = 0, turned_m = 0;
-  std::string end;   ///< Why the link was given up; "" where it was not.
-  std::string told;  ///< What it told on the way.
+  double newest_s = 0;  ///< When the newest reading was measured.
+  std::string end;      ///< Why the link was given up; "" where it was not.
+  std::string told;     ///< What it told on the way.
 };
 
 struct Link {
@@ -104,16 +105,17 @@ Drive drive(const Clock& clock, double at_s, const Link& how, double duration_s 
   EXPECT_TRUE(controller && (*remote)->reset(1, 0));
   std::vector<SenseFrame> sense{make_sense_frame(description)};
   std::vector<ActFrame> act{make_act_frame(description)};
+  Drive result;
   double before_s = -1;
   for (int tick = 0; tick < duration_s / 0.1 && (*remote)->failure() == nullptr; ++tick) {
     (*remote)->sense(sense);
     if ((*remote)->failure() != nullptr) break;
     EXPECT_GT(sense[0].time_s, before_s);
     before_s = sense[0].time_s;
+    result.newest_s = std::max(result.newest_s, sense[0].time_s - sense[0].ages_s[0]);
     controller->tick(sense[0], 0.1, act[0]);
     (*remote)->step(act, 0.1);
   }
-  Drive result;
   if ((*remote)->failure() != nullptr) result.end = (*remote)->failure()->what.en;
   for (const link::wire::Event& event : (*remote)->take_events()) result.told += event.text() + "\n";
   remote->reset();  // says goodbye
@@ -180,6 +182,7 @@ TEST(CartWhoseClock, StandsEndsInWords) {
     for (const Link& how : kLinks) {
       const Drive drove = drive([](double now_s, double stands_s) { return std::min(now_s, stands_s); }, at_s, how);
       EXPECT_GE(drove.nearest_m, 0.005) << at_s;
+      EXPECT_LE(drove.newest_s, at_s + 1e-9) << "nothing shows that it read anything later";
       EXPECT_NE(drove.end.find("the robot's clock stands at"), std::string::npos) << at_s << drove.end;
     }
   }
