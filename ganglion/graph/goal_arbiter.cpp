@@ -31,22 +31,24 @@ void GoalArbiter::conclude(const Tick& tick, const RequestSlot& slot) noexcept {
   if (!open_ || !ended) return;
   Member& member = members_[static_cast<std::size_t>(holder_)];
   open_ = false;
-  if (slot.status == RequestStatus::Withdrawn) {
+  member.satisfied = slot.status == RequestStatus::Satisfied;
+  std::copy_n(slot.values.begin(), slot.size, member.asked.begin());
+  member.asked_size = slot.size;
+  if (member.satisfied) {
+    member.withdrawals = 0;
+  } else {
     member.withdrawals = std::min(member.withdrawals + 1, kMostDoublings);
     member.rests_until = tick.number + (1u << member.withdrawals);
-    std::copy_n(slot.values.begin(), slot.size, member.refused.begin());
-    member.refused_size = slot.size;
-  } else {
-    member.withdrawals = 0;
   }
   member.goal->concluded(slot.status, slot.reason);
 }
 
 bool GoalArbiter::wants(const Member& member, const Tick& tick) const noexcept {
   if (member.bid.values.empty()) return false;
-  if (tick.number >= member.rests_until) return true;
-  const std::span<const double> refused(member.refused.data(), static_cast<std::size_t>(member.refused_size));
-  return member.bid.replaces && !same(member.bid.values, refused);
+  const std::span<const double> asked(member.asked.data(), static_cast<std::size_t>(member.asked_size));
+  const bool again = same(member.bid.values, asked);
+  if (member.bid.once && member.satisfied && again && !lost_) return false;
+  return tick.number >= member.rests_until || (member.bid.replaces && !again);
 }
 
 int GoalArbiter::strongest(const Tick& tick) const noexcept {
@@ -77,7 +79,11 @@ int GoalArbiter::successor(const Tick& tick, const RequestSlot& slot) noexcept {
 }
 
 void GoalArbiter::decide(const Tick& tick, RequestSlot& slot) noexcept {
-  for (Member& member : members_) member.bid = is_number(member.goal->wanted()) ? member.goal->wanted() : Bid{};
+  lost_ = slot.lost;
+  for (Member& member : members_) {
+    member.bid = is_number(member.goal->wanted()) ? member.goal->wanted() : Bid{};
+    if (member.bid.values.empty()) member.satisfied = false;  // a wish that comes back is a wish
+  }
   if (slot.standing) return decide_standing(tick, slot);
   const int next = open_ ? successor(tick, slot) : strongest(tick);
   if (next < 0) return;
@@ -101,6 +107,7 @@ void GoalArbiter::hand_over(int next) noexcept {
     const Reason reason{ReasonCode::Preempted, static_cast<double>(holder_), static_cast<double>(next)};
     members_[static_cast<std::size_t>(holder_)].goal->concluded(RequestStatus::Withdrawn, reason);
   }
+  if (next != holder_ && holder_ >= 0) members_[static_cast<std::size_t>(holder_)].satisfied = false;
   holder_ = next;
   open_ = true;
 }

@@ -13,8 +13,9 @@ namespace ganglion {
 /// A request is latched until it is satisfied or withdrawn. Free again, the highest class wins, then the strongest; who
 /// held it last keeps it unless a challenger is 0.1 stronger. A pending request gives way only to a goal of a higher
 /// class (where pre-emption is on) or to its own holder when that may replace it (a trainer). After k withdrawals in a
-/// row a goal keeps still for 2^k ticks, k <= 8; a trainer's new request does not wait. A bid that is not a number is
-/// no bid. For a standing request, a set-point, they compete at every tick, and where none wants anything it lapses.
+/// row a goal keeps still for 2^k ticks, k <= 8; a trainer's new request does not wait. One that asks once rests when it
+/// was satisfied, until what is read differs from it again, other values are asked, or another goal had the module. A bid
+/// that is not a number is no bid. For a standing request, a set-point, they compete at every tick, and where none wants anything it lapses.
 ///
 /// Source    ours; the papers name only the goal "App".
 class GoalArbiter {
@@ -39,8 +40,9 @@ class GoalArbiter {
     GlobalGoal* goal;
     int withdrawals = 0;
     std::uint32_t rests_until = 0;
-    std::array<double, kMaxCommandValues> refused{};  ///< What was last withdrawn.
-    int refused_size = 0;
+    std::array<double, kMaxCommandValues> asked{};  ///< What was last withdrawn or satisfied.
+    int asked_size = 0;
+    bool satisfied = false;  ///< It was, and nobody else had the module since.
     Bid bid{};
   };
   void decide_standing(const Tick& tick, RequestSlot& slot) noexcept;
@@ -54,6 +56,7 @@ class GoalArbiter {
   std::vector<Member> members_;
   bool preemption_;
   int holder_ = -1;
+  bool lost_ = false;  ///< What was satisfied last holds no more.
   bool open_ = false;  ///< The holder's request has not been concluded yet.
 };
 

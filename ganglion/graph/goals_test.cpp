@@ -188,6 +188,66 @@ TEST(Goals, ThatTrainRestAfterAWithdrawalButNotWithANewRequest) {
   EXPECT_EQ(rig.signal("seeker.cycles"), 2);
 }
 
+const std::string kOnce = contest(wish("trainer", "in.wish = \"a\"\nreplaces = true\nonce = true"), "\"trainer\"");
+
+TEST(Goals, ThatAskOnceRestWhileWhatTheyReachedHolds) {
+  Rig rig(kOnce);
+  rig.set("a", 4);
+  rig.tick();
+  rig.set("place", 4);
+  rig.tick(3);
+  EXPECT_EQ(rig.signal("trainer.satisfied"), 1);
+  EXPECT_EQ(rig.signal("seeker.fresh"), 1);
+  EXPECT_EQ(rig.command("move"), 0);
+  rig.set("place", kNaN);
+  rig.tick(2);
+  EXPECT_EQ(rig.signal("seeker.fresh"), 1) << "a missing reading shows nothing";
+  rig.set("place", 6);  // carried off
+  rig.tick();
+  EXPECT_EQ(rig.signal("seeker.fresh"), 2);
+  EXPECT_EQ(rig.command("move"), 4);
+}
+
+TEST(Goals, ThatAskOnceAskAgainWhenTheirWishComesBack) {
+  Rig rig(kOnce);
+  rig.set("a", 4);
+  rig.set("place", 4);
+  rig.tick(3);
+  EXPECT_EQ(rig.signal("seeker.fresh"), 1);
+  rig.set("a", kNaN);
+  rig.tick();
+  rig.set("a", 4);
+  rig.tick(3);
+  EXPECT_EQ(rig.signal("seeker.fresh"), 2);
+  EXPECT_EQ(rig.signal("trainer.satisfied"), 2);
+}
+
+TEST(Goals, ThatAskOnceAskAgainWhenAnotherHadTheModule) {
+  Rig rig(contest(wish("trainer", "in.wish = \"a\"\nreplaces = true\nonce = true") +
+                      wish("rival", "values = [9]\nintensity = 0.1\nin.wanted = \"b\""),
+                  R"(["trainer", "rival"])"));
+  rig.set("a", 4);
+  rig.set("place", 4);
+  rig.tick(2);
+  rig.set("b", 1);
+  rig.tick();
+  EXPECT_EQ(rig.command("move"), 9);
+  rig.set("place", 9);
+  rig.set("b", 0);
+  rig.tick();
+  EXPECT_EQ(rig.signal("rival.satisfied"), 1);
+  EXPECT_EQ(rig.command("move"), 4);
+}
+
+TEST(Goals, ThatAskOnceAskAgainAfterAWithdrawalOnceTheyHaveRested) {
+  Rig rig(contest(wish("trainer", "in.wish = \"a\"\nreplaces = true\nonce = true"), "\"trainer\"", "give_up_at = 0"));
+  rig.set("a", 4);
+  rig.tick(3);
+  EXPECT_EQ(rig.signal("seeker.fresh"), 1);
+  rig.tick();  // two ticks after it heard of it
+  EXPECT_EQ(rig.signal("seeker.fresh"), 2);
+}
+
 TEST(Goals, ThatAreNotNumbersAskForNothing) {
   Rig rig(contest(wish("first", "in.strength = \"a\"\nvalues = [1]") + wish("second", "values = [2]\nintensity = 0.1"),
                   R"(["first", "second"])"));

@@ -12,6 +12,7 @@ struct Bid {
   std::span<const double> values{};  ///< The request; empty = nothing wanted.
   double intensity = 1;              ///< Within a class the strongest wins; a challenger needs 0.1 more. In [0, 1].
   bool replaces = false;             ///< May replace its own pending request by other values (a trainer).
+  bool once = false;                 ///< Rests while what it was satisfied by holds; else it is asked again at once.
 };
 
 /// An intrinsic motivation of the controller (red in the GFM papers): asks, and is told what became of it.

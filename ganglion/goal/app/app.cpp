@@ -7,23 +7,11 @@
 
 namespace ganglion {
 
-bool AppGoal::Values::equal(std::span<const double> other) const noexcept {
-  return std::equal(data.begin(), data.begin() + static_cast<std::ptrdiff_t>(size), other.begin(), other.end());
-}
-
 Bid AppGoal::bid(const Feedback& feedback) noexcept {
   const std::span<const double> values = feedback[0].values;
   const bool finite = std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
-  if (values.empty() || values.size() > wanted_.data.size() || !finite) return {};
-  if (done_.equal(values)) return {};
-  std::copy(values.begin(), values.end(), wanted_.data.begin());
-  wanted_.size = values.size();
-  done_ = {};  // once the trainer has asked for something else, the old wish may be asked again
-  return {{wanted_.data.data(), wanted_.size}, config_.intensity, true};
-}
-
-void AppGoal::concluded(RequestStatus, const Reason& reason) noexcept {
-  if (reason.code != ReasonCode::Preempted) done_ = wanted_;  // what another goal cut short is still wanted
+  if (values.empty() || !finite) return {};
+  return {.values = values, .intensity = config_.intensity, .replaces = true, .once = true};
 }
 
 namespace {

@@ -13,49 +13,26 @@ namespace {
 /// The goal with two numbers on its wire.
 class Trainer {
  public:
-  Trainer() : ports(app_kind.descriptor, {"request:2"}), goal(AppConfig{}) { goal.bind(ports.links()); }
+  Trainer() : ports(app_kind.descriptor, {"request:2"}), goal(AppConfig{0.75}) { goal.bind(ports.links()); }
   std::vector<double> wish() {
     static_cast<GlobalGoal&>(goal).decide(Tick{});
-    const Bid& bid = goal.wanted();
-    replaces = bid.replaces;
-    return {bid.values.begin(), bid.values.end()};
+    return {goal.wanted().values.begin(), goal.wanted().values.end()};
   }
   testing::PortBlock ports;
   AppGoal goal;
-  bool replaces = false;
 };
 
 using Values = std::vector<double>;
 
-TEST(AppGoal, AsksForWhatTheApplicationSendsAndMayReplaceIt) {
+TEST(AppGoal, AsksForWhatTheApplicationSendsOnceAndMayReplaceIt) {
   Trainer trainer;
   trainer.ports.set("request", {3, 4});
   EXPECT_EQ(trainer.wish(), (Values{3, 4}));
-  EXPECT_TRUE(trainer.replaces);
+  EXPECT_TRUE(trainer.goal.wanted().replaces);
+  EXPECT_TRUE(trainer.goal.wanted().once);
+  EXPECT_EQ(trainer.goal.wanted().intensity, 0.75);
   trainer.ports.set("request", {5, 4});
   EXPECT_EQ(trainer.wish(), (Values{5, 4}));
-}
-
-TEST(AppGoal, RestsUntilOtherValuesComeOnceItsRequestIsConcluded) {
-  for (const auto status : {RequestStatus::Satisfied, RequestStatus::Withdrawn}) {
-    Trainer trainer;
-    trainer.ports.set("request", {3, 4});
-    trainer.wish();
-    trainer.goal.concluded(status, {});
-    EXPECT_EQ(trainer.wish(), Values{});
-    trainer.ports.set("request", {3, 5});
-    EXPECT_EQ(trainer.wish(), (Values{3, 5}));
-    trainer.ports.set("request", {3, 4});
-    EXPECT_EQ(trainer.wish(), (Values{3, 4}));
-  }
-}
-
-TEST(AppGoal, AsksAgainWhatAnotherGoalCutShort) {
-  Trainer trainer;
-  trainer.ports.set("request", {3, 4});
-  trainer.wish();
-  trainer.goal.concluded(RequestStatus::Withdrawn, {ReasonCode::Preempted, 0, 1});
-  EXPECT_EQ(trainer.wish(), (Values{3, 4}));
 }
 
 TEST(AppGoal, WantsNothingWhileAReadingIsMissing) {

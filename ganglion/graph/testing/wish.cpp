@@ -24,12 +24,14 @@ struct WishConfig {
   std::vector<double> values;
   double intensity = 1;
   bool replaces = false;
+  bool once = false;
 };
 
 constexpr std::array kParameters = {
     named<WishConfig, &WishConfig::values>("values"),
     named<WishConfig, &WishConfig::intensity>("intensity"),
     named<WishConfig, &WishConfig::replaces>("replaces"),
+    named<WishConfig, &WishConfig::once>("once"),
 };
 
 class Wish final : public GlobalGoal {
@@ -44,7 +46,7 @@ class Wish final : public GlobalGoal {
   Bid bid(const Feedback& feedback) noexcept override {
     output(kBids)[0] += 1;
     if (feedback[kWanted].wired() && !(feedback.value(kWanted) > 0)) return {};
-    Bid bid{config_.values, config_.intensity, config_.replaces};
+    Bid bid{config_.values, config_.intensity, config_.replaces, config_.once};
     if (feedback[kWishInput].wired()) bid.values = feedback[kWishInput].values;
     if (feedback[kStrength].wired()) bid.intensity = feedback.value(kStrength);
     return bid;

@@ -1,6 +1,7 @@
 #include "ganglion/module/tick/acting_cycle.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace ganglion {
@@ -12,7 +13,16 @@ void ActingCycle::settle(std::optional<double> frame_cost) noexcept {
   } else if (!interrupted()) {
     last_cost_ = joints_.below->total_cost();
   }
-  if (joints_.request != nullptr && joints_.request->status == RequestStatus::Pending) settle_request();
+  if (joints_.request == nullptr) return;
+  if (joints_.request->status == RequestStatus::Pending) settle_request();
+  joints_.request->lost = joints_.request->status == RequestStatus::Satisfied && holds_no_more();
+}
+
+/// A reading that is missing shows nothing.
+bool ActingCycle::holds_no_more() const noexcept {
+  const std::span<const double> reading = inputs_[joints_.satisfied_by].values;
+  return std::all_of(reading.begin(), reading.end(), [](double value) { return std::isfinite(value); }) &&
+         !equal_within(reading, sought_.span(), joints_.comparison);
 }
 
 void ActingCycle::settle_request() noexcept {

@@ -41,7 +41,7 @@ class ActingCycle {
   /// Its commands may become requests of a module below, if a coordinator lets them.
   void set_answer(const RequestSlot* answer) noexcept { joints_.answer = answer; }
 
-  /// Upward sweep: adds up what the last command cost and finds the request satisfied or not.
+  /// Upward sweep: adds up what the last command cost and finds the request satisfied or not, or satisfied no more.
   /// `frame_cost` is the application's; a module above others sees the sum of theirs instead.
   void settle(std::optional<double> frame_cost) noexcept;
   /// True while the last command is still being carried out below: this tick has no cycle.
@@ -80,6 +80,7 @@ class ActingCycle {
   Feedback get_feedback(const Tick& tick) const noexcept;
   std::optional<Cost> get_cost() const noexcept;
   void settle_request() noexcept;
+  bool holds_no_more() const noexcept;
   Command unasked() const noexcept;
   void send_appraisal() const noexcept;
   void send_command(const Command& command) noexcept;

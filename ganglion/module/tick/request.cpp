@@ -16,6 +16,7 @@ void RequestSlot::ask(std::span<const double> wanted) noexcept {
   cost = 0;
   has_cost = false;
   ticks = 0;
+  lost = false;
   const bool numbers = std::all_of(wanted.begin(), wanted.end(), [](double value) { return std::isfinite(value); });
   const bool fits = width == 0 ? wanted.size() <= values.size() : wanted.size() == static_cast<std::size_t>(width);
   if (!numbers || !fits) withdraw({ReasonCode::BadRequest, values[0], values[1]});

@@ -31,6 +31,7 @@ struct RequestSlot {
   double cost = 0;              ///< Sum over the ticks since the request was made; of a standing one of the last tick.
   bool has_cost = false;
   std::uint32_t ticks = 0;  ///< Ticks since the request was made.
+  bool lost = false;        ///< It was satisfied, and what is read now differs from it again.
   int width = 0;            ///< Values that a request must have; 0 = any number of them.
   /// A set-point: never satisfied, replaced whenever other values are asked; nobody above waits for it.
   bool standing = false;
