@@ -92,13 +92,18 @@ Result<void> Compiler::make_part(const ComponentModel& model) {
       part.role = layout::SensationRole{static_cast<std::size_t>(robot_.sensation_offset(channel)), channel};
     }
   }
+  if (part.as<layout::SensationRole>() != nullptr)
+    controller_.sensations_.push_back(static_cast<int>(controller_.parts_.size()));
   controller_.parts_.push_back(std::move(part));
   return made;
 }
 
 void Compiler::join_digest() {
-  for (Part& part : controller_.parts_) part.digest = controller_.digest_.join(identity_.robot, part.id);
-  controller_.command_digest_ = controller_.digest_.join(identity_.robot, "@commands");
+  for (const Part& part : controller_.parts_) {
+    const std::size_t component = controller_.digest_.join(identity_.robot, part.id);
+    controller_.digested_.push_back({component, {part.signals.first, part.digested}});
+  }
+  controller_.digested_.push_back({controller_.digest_.join(identity_.robot, "@commands"), controller_.command_frame_});
 }
 
 Result<Controller> Controller::compile(const ControllerModel& model, const Description& robot, const KindList& kinds,

@@ -33,6 +33,7 @@ void Compiler::connect_goals(std::size_t index, const std::vector<int>& goals) {
     members.push_back(role.goal);
   }
   auto& acting = *controller_.parts_[index].as<layout::ActingRole>();
+  controller_.asked_by_goals_.push_back(static_cast<int>(index));
   acting.arbiter.emplace(std::move(members), model_.components[index].common.filled<ActingCommon>().preemption);
 }
 

@@ -45,18 +45,18 @@ void Controller::tick(const SenseFrame& frame, double step_s, ActFrame& act) noe
 void Controller::sense(const SenseFrame& frame) noexcept {
   expects(frame.values.size() == sense_values_ && frame.ages_s.size() == sense_channels_);
   layout::Block& block = *block_;
-  for (const Part& part : parts_) {
-    const auto* sensation = part.as<SensationRole>();
-    if (sensation == nullptr) continue;
-    const std::size_t count = part.signals.count - 1;  // the last one is the age
+  for (const int index : sensations_) {
+    const Part& one = part(index);
+    const auto* sensation = one.as<SensationRole>();
+    const std::size_t count = one.signals.count - 1;  // the last one is the age
     for (std::size_t i = 0; i < count; ++i) {
-      block.now[part.signals.first + i] = frame.values[sensation->frame_offset + i] + 0.0;  // -0 becomes 0
+      block.now[one.signals.first + i] = frame.values[sensation->frame_offset + i] + 0.0;  // -0 becomes 0
     }
     const double told_s = frame.ages_s[sensation->channel];
     const double age_s = told_s >= 0 ? told_s : std::numeric_limits<double>::infinity();
-    block.now[part.signals.first + count] = age_s;
-    block.ages[part.out_ages.first] = age_s;
-    block.ages[part.out_ages.first + 1] = 0;
+    block.now[one.signals.first + count] = age_s;
+    block.ages[one.out_ages.first] = age_s;
+    block.ages[one.out_ages.first + 1] = 0;
   }
 }
 
@@ -99,17 +99,17 @@ void Controller::settle(std::optional<double> cost) noexcept {
 
 /// What became of requests is told first; then each goal says once what it wants, however many modules it asks.
 void Controller::run_goals(const Tick& tick) noexcept {
-  for (Part& one : parts_) {
-    auto* acting = one.as<ActingRole>();
-    if (acting != nullptr && acting->arbiter) acting->arbiter->conclude(tick, *acting->request);
+  for (const int index : asked_by_goals_) {
+    auto& acting = *part(index).as<ActingRole>();
+    acting.arbiter->conclude(tick, *acting.request);
   }
   for (const int index : schedule_.goals) {
     gather(part(index));
     part(index).as<GoalRole>()->goal->decide(tick);
   }
-  for (Part& one : parts_) {
-    auto* acting = one.as<ActingRole>();
-    if (acting != nullptr && acting->arbiter) acting->arbiter->decide(tick, *acting->request);
+  for (const int index : asked_by_goals_) {
+    auto& acting = *part(index).as<ActingRole>();
+    acting.arbiter->decide(tick, *acting.request);
   }
   for (const int index : schedule_.goals) publish_goal(part(index), tick);
 }
@@ -219,7 +219,6 @@ void Controller::send(ActFrame& act, double step_s) noexcept {
   expects(act.values.size() == command_frame_.count && act.origins.size() == channels_.size());
   const Command nothing;
   const double longest_s = std::max(kDefaultTtl_s, 1.5 * step_s);
-  for (Part& part : parts_) part.share = 1;
   for (std::size_t c = 0; c < channels_.size(); ++c) {
     const layout::ChannelOut& channel = channels_[c];
     Part* writer = channel.writer >= 0 ? &part(channel.writer) : nullptr;
@@ -250,9 +249,8 @@ void Controller::grant() noexcept {
 void Controller::close(const Tick& tick) noexcept {
   layout::Block& block = *block_;
   const std::span<const double> values(block.now);
-  for (const Part& part : parts_)
-    digest_.add(part.digest, tick.number, values.subspan(part.signals.first, part.digested));
-  digest_.add(command_digest_, tick.number, values.subspan(command_frame_.first, command_frame_.count));
+  for (const layout::Digested& one : digested_)
+    digest_.add(one.component, tick.number, values.subspan(one.values.first, one.values.count));
   std::copy_n(block.now.begin(), signals_.size(), block.before.begin());
   for (std::size_t i = 0; i < block.ages.size(); ++i) block.ages_before[i] = block.ages[i] + tick.step_s;
 }

@@ -109,8 +109,10 @@ class Controller {
   layout::Stretch command_frame_;
   std::size_t sense_values_ = 0, sense_channels_ = 0;
   Schedule schedule_;
+  std::vector<int> sensations_,
+      asked_by_goals_;  // of the parts; side by side, so that a tick need not look at all of them
   Digest digest_;
-  std::size_t command_digest_ = 0;
+  std::vector<layout::Digested> digested_;
 };
 
 }  // namespace ganglion

@@ -6,25 +6,22 @@ namespace ganglion {
 
 std::size_t Digest::join(std::uint32_t robot, std::string_view component) {
   const std::uint64_t name = combine(robot, hash_name(component));
-  parts_.push_back({robot, std::string(component), name, name});
+  parts_.push_back({robot, std::string(component), name});
+  states_.push_back(name);
   return parts_.size() - 1;
-}
-
-void Digest::add(std::size_t component, std::uint32_t tick, std::span<const double> values) noexcept {
-  std::uint64_t state = combine(parts_[component].state, tick);
-  for (const double value : values) state = (state ^ canonical_bits(value)) * 0x9fb21c651e98df25u + (state >> 29);
-  parts_[component].state = state;
 }
 
 std::uint64_t Digest::total() const noexcept {
   std::uint64_t sum = 0;  // addition does not care about order
-  for (const Part& part : parts_) sum += combine(part.name, part.state);
+  for (std::size_t i = 0; i < parts_.size(); ++i) sum += combine(parts_[i].name, states_[i]);
   return mix(sum);
 }
 
 std::vector<Digest::OfComponent> Digest::components() const {
   std::vector<OfComponent> result;
-  for (const Part& part : parts_) result.push_back({part.robot, part.component, part.state});
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    result.push_back({parts_[i].robot, parts_[i].component, states_[i]});
+  }
   return result;
 }
 

@@ -17,8 +17,12 @@ class Digest {
   /// A component takes part under its name; returns its index for add().
   std::size_t join(std::uint32_t robot, std::string_view component);
   /// Values of one component at one tick, in a fixed order. Allocates nothing.
-  void add(std::size_t component, std::uint32_t tick, std::span<const double> values) noexcept;
-  std::uint64_t of(std::size_t component) const noexcept { return parts_[component].state; }
+  void add(std::size_t component, std::uint32_t tick, std::span<const double> values) noexcept {
+    std::uint64_t state = combine(states_[component], tick);
+    for (const double value : values) state = (state ^ canonical_bits(value)) * 0x9fb21c651e98df25u + (state >> 29);
+    states_[component] = state;
+  }
+  std::uint64_t of(std::size_t component) const noexcept { return states_[component]; }
   /// Independent of the order in which components joined.
   std::uint64_t total() const noexcept;
 
@@ -36,9 +40,9 @@ class Digest {
     std::uint32_t robot;
     std::string component;
     std::uint64_t name;
-    std::uint64_t state;
   };
   std::vector<Part> parts_;
+  std::vector<std::uint64_t> states_;  // of each part; side by side, since every tick goes through all of them
 };
 
 /// 16 hexadecimal digits.

@@ -84,7 +84,6 @@ struct Part {
   std::vector<PortView> views{};
   std::vector<std::span<double>> outputs{};
   double share = 1;  ///< What part of its last command was carried out.
-  std::size_t digest = 0;
 
   template <class Role>
   Role* as() noexcept {
@@ -94,6 +93,12 @@ struct Part {
   const Role* as() const noexcept {
     return std::get_if<Role>(&role);
   }
+};
+
+/// What takes part in the digest, and as which of its components.
+struct Digested {
+  std::size_t component = 0;
+  Stretch values;
 };
 
 /// A command of the robot, and who writes it.
