@@ -42,6 +42,7 @@ class IdleRobots final : public Application {
   void sense(std::span<SenseFrame> frames) noexcept override {
     for (SenseFrame& frame : frames) {
       frame.tick = tick_;
+      frame.time_s = 0.1 * tick_;
       std::fill(frame.values.begin(), frame.values.end(), 1.25);
       std::fill(frame.ages_s.begin(), frame.ages_s.end(), 0.05);
       frame.cost = 0.5;
