@@ -85,9 +85,10 @@ class Checkout:
         return run(["ninja", "-C", self.build, *[f"test_{test}" for test in tests]], self.root, 3600)
 
     def seen_by(self, tests):
-        """The first test program that fails; None where all end well."""
+        """The first test program that fails twice, since a busy machine may fail one of the real clock's once."""
         for test in tests:
-            if not run([self.build / "bin" / f"test_{test}", "--gtest_brief=1", "--gtest_fail_fast"], self.root, 300):
+            command = [self.build / "bin" / f"test_{test}", "--gtest_brief=1", "--gtest_fail_fast"]
+            if not run(command, self.root, 300) and not run(command, self.root, 300):
                 return test
         return None
 
