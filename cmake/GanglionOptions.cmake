@@ -5,6 +5,16 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 set(CMAKE_CXX_FLAGS_RELEASE "-O2")  # keeps assert-like checks: a robot prefers a stop with a place to a wrong turn
 
+# Arithmetic that may be reordered gives other bits, and takes NaN for a number: a robot would drive on a dead sensor.
+option(GANGLION_UNSAFE_MATH "For the self-test of ./dev digest only" OFF)
+if(NOT GANGLION_UNSAFE_MATH)
+  foreach(flags IN ITEMS CMAKE_CXX_FLAGS CMAKE_CXX_FLAGS_RELEASE CMAKE_CXX_FLAGS_DEBUG CMAKE_CXX_FLAGS_RELWITHDEBINFO)
+    if("${${flags}}" MATCHES "-ffast-math|-Ofast|-funsafe-math-optimizations|-ffinite-math-only|-fassociative-math")
+      message(FATAL_ERROR "${flags} has ${CMAKE_MATCH_0}: with it NaN counts as a number and runs do not repeat. Leave it out.")
+    endif()
+  endforeach()
+endif()
+
 set(GANGLION_SANITIZE "" CACHE STRING "Sanitizers for every target, as in -fsanitize=")
 
 # Most of the time of a compiler goes into headers, not into our sources. The preset `plain` switches both off. Tests are
