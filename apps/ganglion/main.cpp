@@ -1,12 +1,52 @@
 #include <cstdio>
+#include <cstdlib>
+#include <exception>
 #include <new>
+#include <system_error>
 
 #include "commands.h"
 #include "ganglion/run/version.h"
 #include "interrupt.h"
 #include "language.h"
 
-int main(int argc, char** argv) {
+namespace {
+
+/// Whatever is denied to the program on the way, it ends in words.
+int refuse(ganglion::Text words, const char* what = "") {
+  const std::string_view text = words.in(ganglion::language());
+  std::fwrite(text.data(), 1, text.size(), stderr);
+  std::fputs(what, stderr);
+  std::fputc('\n', stderr);
+  return ganglion::kBadInput;
+}
+
+/// In words, what was thrown and nobody caught.
+int refuse_thrown() {
+  try {
+    throw;
+  } catch (const std::bad_alloc&) {
+    return refuse({"out of memory: take fewer robots, threads or seeds, or a smaller world",
+                   "no queda memoria: tome menos robots, hilos o semillas, o un mundo más pequeño"});
+  } catch (const std::system_error& error) {
+    return refuse(
+        {"the system refuses what is needed (threads, descriptors): end other programs, or take fewer threads: ",
+         "el sistema niega lo necesario (hilos, descriptores): cierre otros programas o tome menos hilos: "},
+        error.what());
+  } catch (const std::exception& error) {
+    return refuse({"this is a fault of the program, please report it: ", "es un error del programa, por favor avise: "},
+                  error.what());
+  }
+}
+
+/// Where it was thrown in a thread of its own, or on the way out of what must not throw (some libraries), nothing can be
+/// tidied up any more.
+[[noreturn]] void end_in_words() noexcept {
+  if (std::current_exception() != nullptr) std::_Exit(refuse_thrown());
+  std::_Exit(refuse({"this is a fault of the program, please report it: it ended where it must not",
+                     "es un error del programa, por favor avise: terminó donde no debe"}));
+}
+
+int carry_out(int argc, char** argv) {
   ganglion::report_full_files();
   ganglion::choose_language(argc, argv);
   CLI::App program{"Ganglion: design, grow, run and measure controllers for small mobile robots", "ganglion"};
@@ -39,12 +79,17 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     const int status = program.exit(error);
     return status == 0 ? ganglion::kDone : ganglion::kBadInput;
-  } catch (const std::bad_alloc&) {
-    constexpr ganglion::Text kWords{"out of memory: take fewer robots, threads or seeds, or a smaller world\n",
-                                    "no queda memoria: tome menos robots, hilos o semillas, o un mundo más pequeño\n"};
-    const std::string_view words = kWords.in(ganglion::language());
-    std::fwrite(words.data(), 1, words.size(), stderr);
-    return ganglion::kBadInput;
   }
   return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::set_terminate(end_in_words);
+  try {
+    return carry_out(argc, argv);
+  } catch (...) {
+    return refuse_thrown();
+  }
 }
