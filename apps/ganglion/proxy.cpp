@@ -3,6 +3,7 @@
 #include "commands.h"
 #include "ganglion/link/net/proxy.h"
 #include "interrupt.h"
+#include "reachable.h"
 #include "say.h"
 
 namespace ganglion {
@@ -38,6 +39,7 @@ int proxy_command(const ProxyArguments& arguments) {
   tell({"from {} to {} with --faults \"{}\" --seed {}; end it with ctrl-C",
         "de {} a {} con --faults \"{}\" --seed {}; termínelo con ctrl-C"},
        (*proxy)->address().text, to->text, text, arguments.seed);
+  note_who_reaches((*proxy)->address());
   std::fflush(stdout);
   (*proxy)->serve([] { return interrupted(); });
   return kDone;

@@ -1,11 +1,14 @@
 #include <cstdio>
 
 #include "commands.h"
+#include "ganglion/link/net/lines.h"
 #include "ganglion/link/net/server.h"
 #include "ganglion/run/run_robots.h"
 #include "ganglion/run/version.h"
+#include "ganglion/sim/application/simulated_robots.h"
 #include "interrupt.h"
 #include "overrides.h"
+#include "reachable.h"
 #include "say.h"
 
 namespace ganglion {
@@ -21,8 +24,14 @@ struct SimArguments {
   bool quiet = false;
 };
 
-link::RobotEndConfig config_of(const SimArguments& arguments) {
+constexpr int kMostSubsteps = 1000;  // between two looks at everybody else
+
+link::RobotEndConfig config_of(const Prepared& prepared, const SimArguments& arguments) {
   link::RobotEndConfig config;
+  config.clock = link::steady_s;
+  if (const auto* robots = dynamic_cast<const sim::RobotsModel*>(prepared.application.get())) {
+    config.longest_step_s = kMostSubsteps * robots->substep_s();
+  }
   config.name = fmt::format("ganglion {}", kVersion);
   config.token = link::random_token;
   if (!arguments.quiet) config.log = note;
@@ -36,13 +45,14 @@ int serve(const Prepared& prepared, const SimArguments& arguments) {
   if (auto reset = (*robots)->reset(seed, 0); !reset) return complain(reset.error());
   const auto address = link::parse_address(arguments.listen);
   if (!address) return complain(address.error());
-  link::RobotEnd end(**robots, config_of(arguments));
+  link::RobotEnd end(**robots, config_of(prepared, arguments));
   auto server = link::Server::listen(end, *address);
   if (!server) return complain(server.error());
   catch_interrupts();
   tell({"{} ({} robot{}) listens at {}; end it with ctrl-C", "{} ({} robot{}) escucha en {}; termínelo con ctrl-C"},
        prepared.application->description().name, prepared.experiment.robots, prepared.experiment.robots == 1 ? "" : "s",
        (*server)->address().text);
+  note_who_reaches((*server)->address());
   std::fflush(stdout);
   (*server)->serve([&] { return interrupted() || (arguments.once && end.sessions_ended() > 0); },
                    say({"the simulation was ended", "se terminó la simulación"}));

@@ -2,15 +2,30 @@
 """describe.py ROBOT.toml [--lock-step] [--no-free-running] > describe.h
 
 Writes what a robot.toml with [[sensation]] and [[command]] tables says as the constants a robot with ganglion_robot.c
-keeps in flash: its Describe, ready to be sent, and its sizes and limits. Needs Python 3.11 and nothing else."""
+keeps in flash: its Describe, ready to be sent, and its sizes and limits. Needs Python 3.11 and nothing else, or one from
+3.8 on with the package tomli, which pip brings along."""
+
+from __future__ import annotations
 
 import argparse
+import importlib
 import math
 import struct
 import sys
-import tomllib
 
 TYPES = {"real": 0, "discrete": 1, "circular": 2}
+
+
+def read_toml(path: str) -> dict:
+    for name in ("tomllib", "tomli", "pip._vendor.tomli"):
+        try:
+            toml = importlib.import_module(name)
+        except ImportError:
+            continue
+        with open(path, "rb") as file:
+            return toml.load(file)
+    sys.exit("describe.py: this Python %d.%d reads no TOML: use 3.11 or later, or install tomli: python3 -m pip install tomli"
+             % sys.version_info[:2])  # fmt: skip
 
 
 def varint(value: int) -> bytes:
@@ -51,8 +66,10 @@ def elements(table: dict) -> list[tuple]:
     names = table.get("elements", [table["name"]])
     count = len(names)
     units = table.get("units", [""] * count)
-    lists = (table.get(key, [preset] * count) for key, preset in (("min", -1), ("max", 1), ("safe", 0)))
-    return list(zip(names, units, *lists, strict=True))
+    lists = [table.get(key, [preset] * count) for key, preset in (("min", -1), ("max", 1), ("safe", 0))]
+    if any(len(one) != count for one in (units, *lists)):
+        sys.exit(f'describe.py: command "{table["name"]}": units, min, max and safe need {count} values each')
+    return list(zip(names, units, *lists))
 
 
 def command(table: dict) -> bytes:
@@ -72,13 +89,13 @@ def describe(robot: dict, lock_step: bool, free_running: bool) -> bytes:
 
 
 def packet(frame: bytes) -> bytes:
-    """COBS of the frame and its CRC, and the zero that ends it."""
+    """COBS of the frame and its CRC between zeros: that which goes ahead ends what was printed on the line before."""
     crc = 0xFFFF
     for byte in frame:
         crc ^= byte << 8
         for _ in range(8):
             crc = (crc << 1 ^ (0x1021 if crc & 0x8000 else 0)) & 0xFFFF
-    out = b""
+    out = b"\0"
     for piece in (frame + crc.to_bytes(2, "big")).split(b"\0"):
         while len(piece) >= 254:
             out += b"\xff" + piece[:254]
@@ -121,8 +138,7 @@ def main() -> None:
     parser.add_argument("--lock-step", action="store_true", help="its time can stand still: a simulation")
     parser.add_argument("--no-free-running", action="store_true")
     arguments = parser.parse_args()
-    with open(arguments.robot, "rb") as file:
-        robot = tomllib.load(file)
+    robot = read_toml(arguments.robot)
     frame = describe(robot, arguments.lock_step, not arguments.no_free_running)
     sys.stdout.write(header(robot, frame, not arguments.no_free_running))
 

@@ -146,7 +146,8 @@ static uint16_t crc16(uint16_t crc, uint8_t byte) {
   return (uint16_t)(bits >> 8);
 }
 
-static const uint8_t kZero = 0; /* ends a packet */
+/* Ends a packet, and goes ahead of it, so that what was printed on the line before does not spoil it. */
+static const uint8_t kZero = 0;
 
 /* There are two bytes of room behind the end. */
 static void send(const ganglion_robot* robot, frame* out) {
@@ -154,6 +155,7 @@ static void send(const ganglion_robot* robot, frame* out) {
   for (const uint8_t* at = out->at; at != out->end; ++at) crc = crc16(crc, *at);
   *out->end++ = (uint8_t)(crc >> 8);
   *out->end++ = (uint8_t)crc;
+  write(robot, &kZero, 1);
   for (const uint8_t* at = out->at;; ++at) {
     const uint8_t* const piece = at;
     while (at != out->end && *at != 0 && at - piece < 254) ++at;

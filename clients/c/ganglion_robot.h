@@ -48,13 +48,14 @@ typedef struct {
   uint8_t* frame; /* for what arrives: GANGLION_ROBOT_FRAME_BYTES() */
   uint16_t frame_bytes;
 
-  void* user;                                                    /* handed to all of these */
   void (*write)(void* user, const uint8_t* bytes, size_t count); /* to the line; waits for room if need be */
   void (*sense)(void* user, float* values);                      /* measures: all sensations in the order of Describe */
   void (*act)(void* user, const float* values);                  /* drives: finite, within the limits */
+  uint32_t (*random)(void* user); /* for session tokens: another number after every start */
+  /* What may be left out comes last: older C++ compilers, those of Arduino, want initialisers without gaps. */
+  void* user;                                 /* handed to all of these */
   void (*step)(void* user, uint32_t step_ms); /* lock-step: lets that time pass; null where time goes by itself */
   void (*reset)(void* user);                  /* begins again, at tick 0; null where that cannot be */
-  uint32_t (*random)(void* user);             /* for session tokens: another number after every start */
 } ganglion_robot_config;
 
 /* The state. Only the functions below touch it. */
@@ -83,7 +84,9 @@ void ganglion_robot_init(ganglion_robot* robot, const ganglion_robot_config* con
 /* A TCP connection stands; not needed on serial lines. */
 void ganglion_robot_connected(ganglion_robot* robot);
 
-/* A byte has arrived. False: close the connection (TCP only). now_ms is any clock that goes on, and may wrap. */
+/* A byte has arrived. False: close the connection (TCP only). now_ms is any clock that goes on, and may wrap. However
+ * many bytes wait: no more than GANGLION_ROBOT_TURN of them before the next ganglion_robot_poll(). */
+enum { GANGLION_ROBOT_TURN = 64 };
 bool ganglion_robot_receive(ganglion_robot* robot, uint8_t byte, uint32_t now_ms);
 
 /* Time passes: takes safe values in time, sends Sense. To be called at least every few milliseconds. */

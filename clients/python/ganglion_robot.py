@@ -10,21 +10,26 @@ Derive from Robot, say what it senses and how it drives, and serve() it:
 
 It speaks JSON lines over TCP: `ganglion run EXPERIMENT --robot tcp://127.0.0.1:7007 --set application.encoding=json`.
 Both paces: free-running always; lock-step where step() is defined, for simulations. It keeps the rules by itself: limits
-and times to live of commands, one commander, any number of watchers, sessions that go on over a new connection.
+and times to live of commands, one commander, any number of watchers, sessions that go on over a new connection. It looks
+at the times to live after each frame and each piece of a frame, whoever sent it, and outlives what goes wrong in one.
 
 Left out: binary frames (docs/link.md says how), Event, several robots behind one connection."""
 
 import json
 import math
 import secrets
+import select
 import selectors
 import socket
+import sys
 import time
 import tomllib
 
 MAX_FRAME, MAX_STRANGER, MAX_PENDING = 1 << 20, 4096, 1 << 20  # bytes
+PIECE, TURN = 1 << 16, 64  # bytes that are read at once; frames that the commander gets in a turn, all others get one
+REST_S = 0.002  # after a turn in which others spoke: who keeps a processor busy is made to wait for it when time is up
 DEFAULT_TTL_S, MAX_TTL_S = 0.3, 0.5
-HELLO_S, FREE_AFTER_S, SILENT_AFTER_S = 5.0, 1.0, 10.0
+HELLO_S, FREE_AFTER_S, SILENT_AFTER_S, LAST_WORD_S, MAX_STEP_S = 5.0, 1.0, 10.0, 1.0, 3600.0
 VERSION, BUSY, BROKEN, TOO_SLOW, SHUTDOWN, NO_SESSION, REPLACED, REFUSED, TOO_MANY = range(1, 10)
 MAX_CONNECTIONS = 32
 
@@ -65,6 +70,10 @@ def as_count(value) -> int:
     return value
 
 
+def printable(text: str) -> str:
+    return "".join(letter if letter.isprintable() else "?" for letter in text[:100])
+
+
 def as_list(value) -> list[float]:
     if not isinstance(value, list):
         raise Broken(f"{str(value)[:40]!r} is no list of numbers")
@@ -97,14 +106,31 @@ class Connection:
 
     def __init__(self, stream: socket.socket, peer: str):
         self.stream, self.peer = stream, peer
-        self.received, self.pending = b"", b""
+        self.received, self.pending = bytearray(), bytearray()
+        self.waiting = False  # a whole line was received and not yet looked at
         self.state = "new"  # then "commands" or "watches", and "closing"
-        self.opened = time.monotonic()
+        self.since = time.monotonic()  # it is new, or closing
 
     def say(self, kind: str, content: dict) -> None:
         if self.state == "watches" and len(self.pending) > MAX_PENDING // 16:
             return  # too slow for all
         self.pending += json.dumps({kind: content}, allow_nan=False).encode() + b"\n"
+
+    def next_line(self) -> bytes | None:
+        """None until more bytes have come."""
+        if self.state == "closing" or not self.received:
+            return None
+        if self.state == "new" and self.received[0] != ord("{"):
+            raise Broken('this robot speaks JSON lines only: begin with {"hello": {"major": 1}}, or let ganglion do so by '
+                         '--set application.encoding=json')  # fmt: skip
+        end = self.received.find(b"\n")
+        if (end if end >= 0 else len(self.received)) > (MAX_FRAME if self.state == "commands" else MAX_STRANGER):
+            raise Broken("a line is too long")
+        if end < 0:
+            return None
+        line = bytes(self.received[:end])
+        del self.received[: end + 1]
+        return line
 
 
 class Robot:
@@ -130,7 +156,15 @@ class Robot:
         return []
 
     def log(self, text: str) -> None:
-        print(text, flush=True)
+        """What happens, a line each. It must not wait: where nobody takes what is printed, it is dropped."""
+        try:
+            takes = select.select([], [sys.stdout], [], 0)[1]
+        except (OSError, ValueError):  # no descriptor, or Windows
+            takes = True
+        try:
+            print(text if takes else "", end="\n" if takes else "", flush=True)
+        except (OSError, ValueError):  # closed, or letters it does not know
+            pass
 
     def __init__(self, robot_file: str):
         with open(robot_file, "rb") as file:
@@ -146,7 +180,9 @@ class Robot:
         self.until = [-math.inf] * len(self.channels)  # when each command runs out
         self.owner: Connection | None = None  # of the session
         self.commander, self.commanded, self.heard = "", False, -math.inf
-        self.next_tick = 0.0
+        self.next_tick, self.noted = 0.0, -math.inf
+        self.frames, self.bytes = 0, 0  # taken from others since the last look at the times to live
+        self.most_frames, self.most_bytes = 0, 0  # ever between two looks
         self.connections: dict[socket.socket, Connection] = {}
 
     # -- what it does ------------------------------------------------------------------------------------------------
@@ -156,17 +192,20 @@ class Robot:
         return time.monotonic() if self.free_running else self.time_s
 
     def take_safe_values(self, run_out_only: bool = False) -> None:
-        before, now_s = self.commands, self.now_s()
-        values = list(before) or [0.0] * sum(map(len, self.channels))
-        at = 0
+        now_s, at = self.now_s(), 0
+        values = list(self.commands) or [0.0] * sum(map(len, self.channels))
         for n, limits in enumerate(self.channels):
             if not run_out_only or self.until[n] <= now_s:
                 values[at : at + len(limits)] = [safe for _, _, safe in limits]
                 self.until[n] = math.inf  # safe values hold for ever
             at += len(limits)
-        if values != before:
-            self.commands = values
-            self.act(list(values))
+        if values != self.commands:
+            self.drive(values)
+
+    def drive(self, values: list[float]) -> None:
+        self.commands = []  # nobody knows, should act() fail
+        self.act(list(values))
+        self.commands = values
 
     def carry_out(self, act: dict) -> None:
         values = as_list(act.get("values", []))
@@ -177,9 +216,8 @@ class Robot:
             raise Broken(f"Act must have {len(limits)} values and, if any, {len(self.channels)} times to live")
         most_s = MAX_TTL_S if self.free_running else math.inf
         self.until = [self.now_s() + (min(one, most_s) if one > 0 else 0) for one in ttl_s]
-        self.commands = [min(max(value, low), high) if math.isfinite(value) else safe
-                         for value, (low, high, safe) in zip(values, limits)]  # fmt: skip
-        self.act(list(self.commands))
+        self.drive([min(max(value, low), high) if math.isfinite(value) else safe
+                    for value, (low, high, safe) in zip(values, limits)])  # fmt: skip
 
     def pass_time(self, step_s: float) -> None:
         """Lock-step: commands run out in the middle of a long step."""
@@ -212,16 +250,30 @@ class Robot:
     def end_session(self, why: str) -> None:
         if self.token:
             self.log(f"{self.commander}: {why}")
-        self.token, self.owner = "", None
-        self.take_safe_values()
+        self.token, self.owner = "", None  # from now on each look takes the safe values, until act() did
+        self.look()
 
     def refuse(self, one: Connection, code: int, reason: str) -> None:
-        self.log(f"{one.peer}: closed: {reason}")
+        (self.note if one.state == "new" else self.log)(f"{one.peer}: closed: {reason}")
         ends = one is self.owner and code in (BROKEN, REFUSED, TOO_SLOW)
-        one.say("bye", {"code": code, "reason": reason})
-        one.state = "closing"
+        if one.state != "closing":
+            one.say("bye", {"code": code, "reason": reason})
+        one.state, one.since = "closing", time.monotonic()
         if ends:
             self.end_session("the session is over")
+
+    def note(self, text: str) -> None:
+        """As log(), for what may come without end: a line per second."""
+        if time.monotonic() - self.noted >= 1:
+            self.noted = time.monotonic()
+            self.log(text)
+
+    def fail(self, error: Exception, one: Connection | None) -> None:
+        """A mistake in sense(), act() or here ends a session, but not the program."""
+        words = f"the robot's program failed: {printable(repr(error))}"
+        self.note(words)
+        if one is not None:
+            self.refuse(one, REFUSED, words)
 
     def place_is_free(self) -> bool:
         if not self.token:
@@ -240,7 +292,7 @@ class Robot:
             raise Broken("this robot cannot go in lock-step: ask for FREE_RUNNING", REFUSED)
         token = hello.get("token", "")
         if not watches:
-            self.admit(one, str(hello.get("name", ""))[:100] or one.peer, token, free_running)
+            self.admit(one, printable(str(hello.get("name", ""))) or one.peer, token, free_running)
         one.state = "watches" if watches else "commands"
         one.say("hello", {"major": 1, "minor": 0, "token": "" if watches else self.token, "last_tick": self.tick,
                           "name": "ganglion_robot.py", "resumed": bool(token) and not watches})  # fmt: skip
@@ -261,7 +313,6 @@ class Robot:
             self.free_running, self.acted, self.commanded = free_running, -1, False
             self.next_tick = time.monotonic() + self.tick_s
         self.heard = time.monotonic()
-        name = "".join(letter if letter.isprintable() else "?" for letter in name)
         self.log(f"{name} commands, {'free-running' if self.free_running else 'in lock-step'}")
 
     def command(self, one: Connection, kind: str, content: dict) -> None:
@@ -270,7 +321,7 @@ class Robot:
             self.take_safe_values()
             self.reset(as_count(content.get("seed", 0)), as_count(content.get("episode", 0)))
             self.tick, self.time_s, self.acted = 0, 0.0, -1
-            one.say("reset", content)
+            one.say("reset", {key: content[key] for key in ("seed", "episode") if key in content})
             return self.tell_sense()
         tick = as_count(content.get("tick", 0))
         if self.free_running:
@@ -286,8 +337,8 @@ class Robot:
             return one.say("sense", self.sense_frame())
         step_s = as_number(content.get("step_s", 0)) or self.tick_s
         ticks = as_count(content.get("ticks", 0)) if kind == "step" else 1
-        if not (0 < step_s <= 3600 and 1 <= ticks <= 1000):
-            raise Broken("step_s must be above 0 and at most 3600 s, ticks 1 to 1000")
+        if not (step_s > 0 and 1 <= ticks <= 1000 and ticks * step_s <= MAX_STEP_S):
+            raise Broken(f"step_s must be above 0, ticks 1 to 1000, both together at most {MAX_STEP_S:g} s")
         if kind == "act":
             self.carry_out(content)
         earlier = []
@@ -302,6 +353,8 @@ class Robot:
             frame = json.loads(line)
         except (ValueError, RecursionError):
             raise Broken("a line is no JSON") from None
+        if one.state == "new" and not (isinstance(frame, dict) and isinstance(frame.get("hello"), dict)):
+            raise Broken("say Hello first")
         known = ("hello", "act", "step", "reset", "bye", "beat")
         kind = next((name for name in known if isinstance(frame, dict) and isinstance(frame.get(name), dict)), None)
         if kind is None:
@@ -310,10 +363,8 @@ class Robot:
             raise Broken('a line is no frame, such as {"act": {...}}')
         if kind == "hello":
             return self.hello(one, frame[kind])
-        if one.state == "new":
-            raise Broken("say Hello first")
         if kind == "bye":
-            one.state = "closing"
+            one.state, one.since = "closing", time.monotonic()
             return self.end_session("goodbye") if one is self.owner else None
         if kind == "beat":
             beat = frame[kind]
@@ -326,9 +377,31 @@ class Robot:
 
     # -- bytes and time ----------------------------------------------------------------------------------------------
 
+    def look(self) -> None:
+        """Commands that have run out, ticks: whatever is due is done."""
+        self.most_frames, self.most_bytes = max(self.most_frames, self.frames), max(self.most_bytes, self.bytes)
+        self.frames = self.bytes = 0
+        try:
+            if not self.token or self.free_running:
+                self.take_safe_values(run_out_only=bool(self.token))
+            if self.token and self.free_running and (now_s := time.monotonic()) >= self.next_tick:
+                self.next_tick = max(self.next_tick + self.tick_s, now_s)
+                self.tick += 1
+                self.time_s = now_s
+                self.tell_sense()
+        except Exception as error:
+            self.fail(error, self.owner)
+
+    def wait_s(self) -> float:
+        """How long until there is more to do, if nobody says anything."""
+        if any(one.waiting for one in self.connections.values()):
+            return 0.0
+        due_s = [self.next_tick, *self.until] if self.token and self.free_running else []
+        return max(0.0, min([time.monotonic() + 1.0, *due_s]) - time.monotonic())
+
     def receive(self, one: Connection) -> None:
         try:
-            got = one.stream.recv(65536)
+            got = one.stream.recv(PIECE)
         except BlockingIOError:
             return
         except OSError:
@@ -338,34 +411,44 @@ class Robot:
         if one is self.owner:
             self.heard = time.monotonic()
         one.received += got
+        self.bytes += len(got)
+        self.look()
+
+    def take_frame(self, one: Connection) -> bool:
+        """False: there is none."""
         try:
-            if one.state == "new" and one.received[:1] != b"{":
-                raise Broken('this robot speaks JSON lines only: begin with {"hello": {"major": 1}}, or let ganglion '
-                             'do so by --set application.encoding=json')
-            while one.state != "closing" and b"\n" in one.received:
-                line, one.received = one.received.split(b"\n", 1)
-                self.handle(one, line)
-            if len(one.received) > (MAX_FRAME if one.state == "commands" else MAX_STRANGER):
-                raise Broken("a line is too long")
+            line = one.next_line()
+            if line is None:
+                return False
+            self.frames += 1
+            self.handle(one, line)
         except Broken as broken:
             self.refuse(one, broken.code, str(broken))
+        except Exception as error:
+            self.fail(error, one)
+        self.look()
+        return True
 
     def send(self, one: Connection) -> None:
         try:
             if one.pending:
-                one.pending = one.pending[one.stream.send(one.pending) :]
+                del one.pending[: one.stream.send(one.pending)]
         except BlockingIOError:
             pass
         except OSError:
             return self.lose(one)
-        if len(one.pending) > MAX_PENDING or (one.state == "closing" and not one.pending):
-            self.lose(one)
+        late = time.monotonic() - one.since > LAST_WORD_S
+        if len(one.pending) > MAX_PENDING or (one.state == "closing" and (late or not one.pending)):
+            return self.lose(one)
+        wanted = selectors.EVENT_WRITE if one.pending else 0
+        self.selector.modify(one.stream, wanted | (selectors.EVENT_READ if one.state != "closing" else 0))
 
     def lose(self, one: Connection) -> None:
         if self.connections.pop(one.stream, None) is None:
             return
         self.selector.unregister(one.stream)
         one.stream.close()
+        one.state = "closing"
         if one is self.owner:
             self.owner = None
             self.heard = time.monotonic()
@@ -374,30 +457,37 @@ class Robot:
     def accept(self, listener: socket.socket) -> None:
         try:
             stream, peer = listener.accept()
-        except OSError:
+            stream.setblocking(False)
+            stream.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        except OSError:  # gone already, or no descriptors left
             return
-        if len(self.connections) >= MAX_CONNECTIONS:
-            return stream.close()
-        stream.setblocking(False)
-        stream.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-        self.connections[stream] = Connection(stream, f"{peer[0]}:{peer[1]}")
+        one = self.connections[stream] = Connection(stream, f"{peer[0]}:{peer[1]}")
         self.selector.register(stream, selectors.EVENT_READ)
+        if len(self.connections) > MAX_CONNECTIONS:
+            self.refuse(one, TOO_MANY, f"no more than {MAX_CONNECTIONS} connections; try again later")
+            self.send(one)
 
-    def time_passes(self) -> float:
-        """What is due; how long until there is more."""
-        now_s = time.monotonic()
+    def turn(self, listener: socket.socket) -> None:
+        """Waits until there is something to do. Then who commands comes first, and everybody a little."""
         for one in list(self.connections.values()):
-            if one.state == "new" and now_s - one.opened > HELLO_S:
+            if one.state == "new" and time.monotonic() - one.since > HELLO_S:
                 self.refuse(one, TOO_SLOW, f"no Hello within {HELLO_S:g} s")
-        if not self.token or not self.free_running:
-            return 1.0
-        self.take_safe_values(run_out_only=True)
-        if now_s >= self.next_tick:
-            self.next_tick = max(self.next_tick + self.tick_s, now_s)
-            self.tick += 1
-            self.time_s = now_s
-            self.tell_sense()
-        return max(0.0, min([self.next_tick, *self.until]) - time.monotonic())
+            self.send(one)
+        ready = {key.fileobj for key, events in self.selector.select(self.wait_s()) if events & selectors.EVENT_READ}
+        self.look()
+        others = listener in ready
+        if others:
+            self.accept(listener)
+        for one in sorted(self.connections.values(), key=lambda one: one is not self.owner):
+            others = others or (one is not self.owner and (one.waiting or one.stream in ready))
+            if one.stream in ready and not one.waiting:
+                self.receive(one)
+            for _ in range(TURN if one is self.owner else 1):
+                if not self.take_frame(one):
+                    break
+            one.waiting = one.state != "closing" and b"\n" in one.received
+        if others and self.token:
+            time.sleep(REST_S)
 
     def serve(self, host: str = "127.0.0.1", port: int = 7007) -> None:
         """Until ctrl-C. Port 0 takes any free one; either way the port is printed."""
@@ -405,25 +495,18 @@ class Robot:
         with socket.create_server((host, port)) as listener:
             listener.setblocking(False)
             self.selector.register(listener, selectors.EVENT_READ)
-            self.take_safe_values()
+            self.look()
             self.log(f"{self.describe['name']} listens at tcp://{host}:{listener.getsockname()[1]}")
             try:
                 while True:
-                    wait_s = self.time_passes()
-                    for one in list(self.connections.values()):
-                        self.send(one)
-                        if one.stream in self.connections:
-                            wanted = selectors.EVENT_READ | (selectors.EVENT_WRITE if one.pending else 0)
-                            self.selector.modify(one.stream, wanted)
-                    for key, events in self.selector.select(min(wait_s, 1.0)):
-                        if key.fileobj is listener:
-                            self.accept(listener)
-                        elif events & selectors.EVENT_READ and key.fileobj in self.connections:
-                            self.receive(self.connections[key.fileobj])
+                    try:
+                        self.turn(listener)
+                    except Exception as error:
+                        self.fail(error, None)
             except KeyboardInterrupt:
                 self.log("ended")
             finally:
-                self.take_safe_values()
+                self.end_session("the robot's program ends")
                 for one in list(self.connections.values()):
                     self.refuse(one, SHUTDOWN, "the robot's program ends")
                     self.send(one)

@@ -21,13 +21,23 @@ using Controllers = std::vector<std::unique_ptr<Controller>>;
 /// Holds a run to a multiple of real time, between ticks; the run itself knows nothing of it.
 class Pace {
  public:
-  explicit Pace(double factor) : factor_(factor), start_(std::chrono::steady_clock::now()) {}
-  void wait_until(double time_s) const {
-    if (factor_ > 0) std::this_thread::sleep_until(start_ + std::chrono::duration<double>(time_s / factor_));
+  Pace(double factor, std::function<void()> in_touch)
+      : factor_(factor), in_touch_(std::move(in_touch)), start_(std::chrono::steady_clock::now()) {}
+  /// In a long wait the robots are kept in touch with. stop() ends it.
+  void wait_until(double time_s, const std::function<bool()>& stop) const {
+    if (factor_ <= 0) return;
+    const auto end = start_ + std::chrono::duration<double>(time_s / factor_);
+    while (std::chrono::steady_clock::now() + kInTouch < end && !(stop && stop())) {
+      std::this_thread::sleep_for(kInTouch);
+      in_touch_();
+    }
+    if (!(stop && stop())) std::this_thread::sleep_until(end);
   }
 
  private:
+  static constexpr std::chrono::milliseconds kInTouch{500};
   double factor_;
+  std::function<void()> in_touch_;
   std::chrono::steady_clock::time_point start_;
 };
 
@@ -260,6 +270,10 @@ Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
                               recording->write_intervention(descriptor, one, one.tick * prepared.step_s);
                             });
   if (options.reach) options.reach([&](const Intervention& what) { return interference.reach(what); });
+  const std::function<void()> in_touch = [remote = course->robots().remote()] {
+    if (remote != nullptr) remote->stay_in_touch();
+  };
+  if (options.in_touch) options.in_touch(in_touch);
   if (auto done = interference.before(0); !done) return tl::unexpected<Error>(done.error());
 
   RunResult result;
@@ -267,7 +281,7 @@ Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
   result.reason = say({"duration over", "se acabó el tiempo"});
   const bool begins = !options.armed || options.armed();
   if (!begins) result.reason = say({"{}", "{}"}, kInterrupted);
-  const Pace pace(options.pace);
+  const Pace pace(options.pace, in_touch);
   const std::uint32_t ticks = begins ? ticks_of(prepared) : 0;
   HandingOver handing_over(options.keeper, *course->controllers().front());
   const StopRules stop(prepared.experiment.stop);
@@ -293,7 +307,7 @@ Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
       result.reason = say({"{}", "{}"}, kInterrupted);
       break;
     }
-    if (!course->robots().free_running()) pace.wait_until(time_s);
+    if (!course->robots().free_running()) pace.wait_until(time_s, options.stop);
   }
   result.measures = measured.listed();
   result.contacts = contacts_of(*course, prepared);

@@ -34,6 +34,9 @@ struct RunOptions {
   /// Called once before `armed` with a way to do more: to be used by `armed`, `progress` and their like, between ticks
   /// and by the run's own thread. What it does is done before the next tick, and recorded.
   std::function<void(Reach)> reach;
+  /// Called once before `armed` with what keeps the place of the robots' commander while a run is held back: to be called
+  /// each second or so by `armed` and `progress` where they wait, by the run's own thread.
+  std::function<void(std::function<void()>)> in_touch;
   bool in_process = false;  ///< Simulate the robots here, whatever address the experiment names.
 };
 

@@ -50,13 +50,13 @@ CRobot::CRobot(Options options)
              .values = out_.data() + 8,
              .frame = frame_.data(),
              .frame_bytes = static_cast<std::uint16_t>(frame_.size()),
-             .user = this,
              .write = write,
              .sense = sense,
              .act = act,
+             .random = random_number,
+             .user = this,
              .step = options.can_lock_step ? step : nullptr,
-             .reset = reset,
-             .random = random_number};
+             .reset = reset};
   ganglion_robot_init(&robot_, &config_);
   ganglion_robot_connected(&robot_);
 }

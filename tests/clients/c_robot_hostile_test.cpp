@@ -47,6 +47,42 @@ TEST(CRobot, IgnoresPacketsThatAreTooLongForItAndTakesTheNext) {
   EXPECT_EQ(robot.done, (Floats{1, 0, 1}));
 }
 
+TEST(CRobot, LosesNoPacketToTextThatIsPrintedBeforeIt) {
+  CRobot robot;
+  wire::Hello hello;
+  hello.set_major(1);
+  robot.say(hello);
+  std::size_t doubled = 0;  // the end of a packet, and what goes ahead of the next
+  for (std::size_t n = 1; n < robot.out.size(); ++n) doubled += robot.out[n - 1] == 0 && robot.out[n] == 0;
+  EXPECT_EQ(robot.out.front(), 0) << "ahead of Hello";
+  EXPECT_EQ(doubled, 2u) << "ahead of Describe, ahead of Sense";
+  robot.out.clear();
+  std::string line;
+  wire::Beat beat;
+  for (std::uint32_t number = 1; number <= 10; ++number) {
+    beat.set_number(number);
+    robot.say(beat);
+    line += "dist=7 cm, v=0.2\r\n" + robot.out;
+    robot.out.clear();
+  }
+  FrameReader reader(Carrier::Packets);
+  reader.feed(line);
+  for (std::uint32_t number = 1; number <= 10; ++number) {
+    const auto payload = reader.next();
+    ASSERT_TRUE(payload && *payload) << number;
+    ASSERT_EQ(*decode(**payload, Encoding::Binary, robot.in), FrameKind::Beat);
+    EXPECT_EQ(robot.in.beat.number(), number);
+  }
+  EXPECT_EQ(reader.take_damaged(), 10u) << "the texts";
+}
+
+TEST(CRobot, TakesPacketsWithZerosAhead) {
+  CRobot robot;
+  robot.greet(wire::FREE_RUNNING);
+  robot.receive(std::string(3, '\0') + bytes_of(act(0, {1, 0, 1})));
+  EXPECT_EQ(robot.done, (Floats{1, 0, 1}));
+}
+
 TEST(CRobot, LeavesJsonAndMessagesOfLaterVersionsAlone) {
   CRobot robot;
   robot.greet(wire::FREE_RUNNING);

@@ -78,6 +78,7 @@ class EmulatedRobot : public FolderTest {
     config.end.pace = pace;
     config.reach_s = kReach_s;
     auto line = std::make_unique<CutLine>(link::make_line(*link::parse_address(address_)), cut_, connections_);
+    line_ = line.get();
     auto made = link::RemoteApplication::connect(std::move(line), prepared_->application->description(), 1, config);
     EXPECT_TRUE(made) << made.error().what.en << board_->last_words().en;
     return made ? std::move(*made) : nullptr;
@@ -92,6 +93,7 @@ class EmulatedRobot : public FolderTest {
   std::unique_ptr<link::Program> board_;
   std::string address_;
   std::optional<Prepared> prepared_;
+  link::Line* line_ = nullptr;  // of the robot that was connected last
   bool cut_ = false;
   int connections_ = 0;
 };
@@ -142,6 +144,32 @@ TEST_F(EmulatedRobot, StopsByItselfOnceItsLineIsCut) {
   const double stands_m = sense(*robot)[kX];
   sense(*robot);
   EXPECT_EQ(sense(*robot)[kX], stands_m);
+}
+
+/// Bytes that follow no rule, without a pause: the board takes at least 100 instructions, 6.4 us, for each.
+std::string noise() {
+  std::string bytes(std::size_t{128} << 10, '\0');
+  for (std::size_t n = 0; n < bytes.size(); ++n) bytes[n] = static_cast<char>(n % 251 * n % 17);
+  return bytes;
+}
+
+TEST_F(EmulatedRobot, StopsInTimeWhileItsLineCarriesBytesWithoutPause) {
+  const auto robot = connect(link::wire::FREE_RUNNING);
+  ASSERT_NE(robot, nullptr);
+  std::vector<ActFrame> act = {make_act_frame(robot->description())};
+  act.front().values = {0.5, 0.5};
+  constexpr double kTtl_s = 0.25, kLate_s = 0.05;
+  act.front().ttl_s = {kTtl_s};
+  for (int tick = 0; tick < 1000 && sense(*robot)[kX] < 0.05; ++tick) robot->step(act, 0.1);
+  std::vector<double> values = sense(*robot);
+  ASSERT_EQ(values[kStoppedAfter], 0) << "without a stop until now";
+  robot->step(act, 0.1);
+  const std::string bytes = noise();
+  ASSERT_TRUE(line_->send(bytes, line_->now_s() + 60));
+  for (int tick = 0; tick < 100 && values[kStoppedAfter] == 0; ++tick) values = sense(*robot);
+  EXPECT_GE(values[kStoppedAfter], kTtl_s - 0.002);
+  EXPECT_LE(values[kStoppedAfter], kTtl_s + kLate_s) << "by the board's own clock";
+  fmt::print("stopped {:.3f} s after its last command, which held for {} s\n", values[kStoppedAfter], kTtl_s);
 }
 
 }  // namespace

@@ -72,9 +72,9 @@ static const ganglion_robot_config kConfig = {
     .write = write,
     .sense = sense,
     .act = act,
+    .random = random_number,
     .step = step,
     .reset = reset,
-    .random = random_number,
 };
 
 int main(void) {
@@ -85,7 +85,10 @@ int main(void) {
   uint32_t moved_ms = microbit_ms();
   for (;;) {
     const uint32_t now_ms = microbit_ms();
-    for (uint8_t byte; microbit_read(&byte);) ganglion_robot_receive(&robot, byte, now_ms);
+    uint8_t byte;
+    for (int n = 0; n < GANGLION_ROBOT_TURN && microbit_read(&byte); ++n) {
+      ganglion_robot_receive(&robot, byte, now_ms);
+    }
     ganglion_robot_poll(&robot, now_ms);
     if (now_ms - moved_ms >= 10) {
       if (!lock_step) corridor_step(&world, now_ms - moved_ms);

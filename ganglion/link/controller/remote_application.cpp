@@ -119,6 +119,12 @@ void RemoteApplication::step(std::span<const ActFrame> frames, double step_s) no
   take_sense(false);
 }
 
+void RemoteApplication::stay_in_touch() noexcept {
+  drain();
+  end_.poll(line_->now_s());
+  flush();
+}
+
 void RemoteApplication::take_sense(bool first) noexcept {
   if (failure() != nullptr) return;
   const wire::Sense& message = end_.sense();

@@ -37,6 +37,9 @@ class RemoteApplication final : public Application {
   Result<void> reset(std::uint64_t seed, std::uint32_t episode) override;
   void sense(std::span<SenseFrame> frames) noexcept override;
   void step(std::span<const ActFrame> frames, double step_s) noexcept override;
+  /// Between ticks, while a run is held back: takes what has come and sends heartbeats, each second, so that the robot
+  /// gives the place of its commander to nobody else. Waits for nothing; a broken connection is mended by what comes next.
+  void stay_in_touch() noexcept;
   const Error* failure() const noexcept override { return end_.failure() ? &*end_.failure() : nullptr; }
 
   /// Null where the robot does not tell it.

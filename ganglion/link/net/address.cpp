@@ -34,7 +34,7 @@ Result<Address> parse_tcp(std::string_view text) {
   std::string_view host = text.substr(0, colon);
   if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);
   address.host = host;
-  address.text = fmt::format("tcp://{}", text);
+  address.text = tcp_text(address.host, address.port);
   return address;
 }
 
@@ -57,6 +57,11 @@ Result<Address> parse_serial(std::string_view text) {
 }
 
 }  // namespace
+
+std::string tcp_text(const std::string& host, std::uint16_t port) {
+  return host.find(':') == std::string::npos ? fmt::format("tcp://{}:{}", host, port)
+                                             : fmt::format("tcp://[{}]:{}", host, port);
+}
 
 Result<Address> parse_address(const std::string& text) {
   if (text.starts_with(kSerialOverTcp)) {

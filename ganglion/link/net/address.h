@@ -17,7 +17,11 @@ struct Address {
   std::uint16_t port = 0;
   std::string device;
   unsigned baud = 115'200;
+  bool open = false;  ///< Listened at: from other machines as well.
 };
+
+/// "tcp://HOST:PORT", as parse_address() reads it: addresses with colons in brackets.
+std::string tcp_text(const std::string& host, std::uint16_t port);
 
 /// Fails with BadParameter. Port 0 is for listening: any free one.
 Result<Address> parse_address(const std::string& text);

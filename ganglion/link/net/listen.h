@@ -1,7 +1,5 @@
 #pragma once
 
-#include <fmt/format.h>
-
 #include <boost/asio/ip/tcp.hpp>
 #include <string>
 
@@ -28,7 +26,8 @@ inline Result<void> listen_at(boost::asio::ip::tcp::acceptor& acceptor, Address&
                 address.text, error.message());
   }
   address.port = acceptor.local_endpoint().port();
-  address.text = fmt::format("tcp://{}:{}", address.host, address.port);
+  address.text = tcp_text(address.host, address.port);
+  address.open = !acceptor.local_endpoint().address().is_loopback();
   return {};
 }
 

@@ -25,7 +25,8 @@ constexpr double kRound_s = 0.05;                     // at most between two loo
 constexpr double kLinger_s = 1;                       // for a last word to be read
 constexpr double kReopen_s = 0.5;                     // a serial line that went away
 constexpr std::chrono::milliseconds kAcceptPause{1};  // a storm of strangers must not hold up who commands
-constexpr std::size_t kSmallRead_bytes = 2048;        // at a time from those who do not command
+constexpr std::size_t kSmallRead_bytes = 256;         // at a time from those who do not command,
+constexpr std::chrono::milliseconds kRest{10};        // and then not again for so long
 constexpr double kNoFiles_s = 0.1;                    // accepting again when the system has no descriptors left
 
 }  // namespace
@@ -69,18 +70,27 @@ class Server::Shell {
   /// A socket, or a serial port.
   template <class Stream>
   struct Connection : std::enable_shared_from_this<Connection<Stream>> {
-    Connection(Shell& of, Stream with) : shell(of), stream(std::move(with)) {}
+    Connection(Shell& of, Stream with) : shell(of), stream(std::move(with)), rest(of.context_) {}
 
     void read() {
+      if (shell.end_.waits(id)) return shell.wait_for_work(*this);
       const std::size_t most = shell.end_.commands(id) ? room.size() : kSmallRead_bytes;
       stream.async_read_some(asio::buffer(room.data(), most),
                              [self = this->shared_from_this()](const ErrorText& error, std::size_t got) {
                                if (error) return self->shell.drop(*self);
                                if (!self->lingering)
                                  self->shell.end_.receive(self->id, {self->room.data(), got}, steady_s());
-                               self->read();
+                               self->go_on();
                                self->shell.look();
                              });
+    }
+    /// Reads again: at once who commands, all others when they have rested.
+    void go_on() {
+      if (shell.end_.commands(id)) return read();
+      rest.expires_after(kRest);
+      rest.async_wait([self = this->shared_from_this()](const ErrorText& error) {
+        if (!error) self->read();
+      });
     }
     /// Sends what is outgoing as far as it goes at once; the rest when there is room again.
     void write() {
@@ -106,6 +116,7 @@ class Server::Shell {
 
     Shell& shell;
     Stream stream;
+    asio::steady_timer rest;
     PeerId id = 0;
     bool writing = false;
     bool lingering = false;
@@ -186,6 +197,14 @@ class Server::Shell {
     }
   }
 
+  /// What that connection asked for takes long: it is read again when that is done.
+  template <class Stream>
+  void wait_for_work(Connection<Stream>& connection) {
+    waiting_ = connection.id;
+    read_again_ = [self = connection.shared_from_this()] { self->read(); };
+    tick();
+  }
+
   void drop(Socket& connection) {
     ErrorText ignored;
     connection.stream.close(ignored);
@@ -223,6 +242,7 @@ class Server::Shell {
   void tick() {
     const double now_s = steady_s();
     end_.poll(now_s);
+    if (read_again_ && !end_.waits(waiting_)) std::exchange(read_again_, nullptr)();
     end_lingering(now_s);
     if (reopen_s_ > 0 && now_s >= reopen_s_) reopen_s_ = open_serial() ? 0 : now_s + kReopen_s;
     if (accept_again_s_ > 0 && now_s >= accept_again_s_) {
@@ -248,6 +268,8 @@ class Server::Shell {
   std::vector<std::shared_ptr<Socket>> lingering_;
   std::shared_ptr<Serial> serial_;
   double reopen_s_ = 0, accept_again_s_ = 0;  // 0: not needed
+  PeerId waiting_ = 0;                        // for its work, if read_again_ is set
+  std::function<void()> read_again_;
 };
 
 Server::Server(std::unique_ptr<Shell> shell) : shell_(std::move(shell)) {}

@@ -14,16 +14,19 @@ namespace {
 constexpr std::size_t kEnoughPendingBytes = std::size_t{64} << 10;  // then a slow reader misses frames
 constexpr int kRefusedAtOnce = 8;
 constexpr std::size_t kMaxPendingBytes = std::size_t{3} << 20;  // then it is dropped
+constexpr double kNoteEvery_s = 1;  // of strangers who are sent away, so that a log does not fill by them
 constexpr double kInf = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-RobotEnd::RobotEnd(Application& application, RobotEndConfig config) : config_(std::move(config)), robot_(application) {
+RobotEnd::RobotEnd(Application& application, RobotEndConfig config)
+    : config_(std::move(config)), robot_(application), noted_s_(-kInf) {
   expects(config_.token != nullptr);
 }
 
 RobotEnd::PeerId RobotEnd::open(Carrier carrier, std::string name, double now_s) {
   const PeerId id = next_id_++;
+  latest_s_ = now_s;
   Peer& peer = peers_.try_emplace(id, id, carrier, std::move(name), now_s).first->second;
   if (peers_.size() > config_.max_peers) {
     refuse(peer, wire::TOO_MANY,
@@ -38,19 +41,33 @@ void RobotEnd::receive(PeerId id, std::string_view bytes, double now_s) {
   if (found == peers_.end()) return;
   Peer& peer = found->second;
   if (session_ && session_->peer == id) session_->heard_s = now_s;
-  constexpr std::size_t kPiece = std::size_t{64} << 10;
+  latest_s_ = now_s;
   while (!bytes.empty() && peer.state != Peer::State::Closing && peer.state != Peer::State::Gone) {
-    peer.reader.feed(bytes.substr(0, kPiece));
-    bytes.remove_prefix(std::min(bytes.size(), kPiece));
+    const std::string_view piece = bytes.substr(0, kMostBytes);
+    take(0, piece.size(), now_s);
+    peer.reader.feed(piece);
+    bytes.remove_prefix(piece.size());
     read(id, peer, now_s);
   }
 }
 
+void RobotEnd::take(std::uint32_t frames, std::size_t bytes, double now_s) {
+  if (taken_.frames + frames > kMostFrames || taken_.bytes + bytes > kMostBytes) {
+    poll(config_.clock ? config_.clock() : now_s);
+  }
+  taken_.frames += frames;
+  taken_.bytes += bytes;
+  most_taken_.frames = std::max(most_taken_.frames, taken_.frames);
+  most_taken_.bytes = std::max(most_taken_.bytes, taken_.bytes);
+}
+
 void RobotEnd::read(PeerId id, Peer& peer, double now_s) {
-  while (peer.state != Peer::State::Closing && peer.state != Peer::State::Gone) {
+  while (!waits(id)) {
     const auto payload = peer.reader.next();
     if (!payload) return refuse(peer, wire::BROKEN, payload.error().what);
     if (!*payload) return;
+    take(1, 0, now_s);
+    if (peer.state == Peer::State::Closing || peer.state == Peer::State::Gone) return;
     const auto kind = decode(**payload, *peer.reader.encoding(), in_);
     if (kind) {
       handle(*kind, id, peer, now_s);
@@ -62,14 +79,14 @@ void RobotEnd::read(PeerId id, Peer& peer, double now_s) {
 
 void RobotEnd::handle(FrameKind kind, PeerId id, Peer& peer, double now_s) {
   if (kind == FrameKind::Hello) return greet(id, peer, now_s);
-  if (kind == FrameKind::Unknown) return;
   if (!peer.accepted()) {
     // On a serial line, what is left of an earlier connection.
-    if (peer.carrier == Carrier::Stream) {
-      refuse(peer, wire::BROKEN, say({"say Hello before {}", "diga Hello antes de {}"}, name_of(kind)));
-    }
-    return;
+    if (peer.carrier == Carrier::Packets) return;
+    return refuse(peer, wire::BROKEN,
+                  kind == FrameKind::Unknown ? say({"say Hello first", "diga Hello primero"})
+                                             : say({"say Hello before {}", "diga Hello antes de {}"}, name_of(kind)));
   }
+  if (kind == FrameKind::Unknown) return;
   switch (kind) {
     case FrameKind::Beat:
       if (in_.beat.answer()) return;
@@ -135,13 +152,16 @@ void RobotEnd::refuse(Peer& peer, wire::ByeCode code, const Sentence& reason) {
   wire::Bye bye;
   bye.set_code(code);
   write_words(reason, bye);
-  const bool commanding = peer.state == Peer::State::Commanding;
+  const bool commanding = peer.state == Peer::State::Commanding, stranger = peer.state == Peer::State::New;
   peer.state = Peer::State::New;
   // Who has not told an encoding is answered so that a person can read it.
   if (!peer.writer) peer.writer.emplace(peer.carrier, peer.reader.encoding().value_or(Encoding::Json));
   send(peer, bye);
   if (peer.carrier == Carrier::Stream) peer.state = Peer::State::Closing;
-  log(say({"{}: closed: {}", "{}: se cerró: {}"}, peer.name, read_words(bye)));
+  if (!stranger || latest_s_ >= noted_s_ + kNoteEvery_s) {
+    if (stranger) noted_s_ = latest_s_;
+    log(say({"{}: closed: {}", "{}: se cerró: {}"}, peer.name, read_words(bye)));
+  }
   if (commanding && (code == wire::BROKEN || code == wire::REFUSED)) {
     end_session(say({"it broke the rules of the link", "no cumplió las reglas del enlace"}));
   }
@@ -149,6 +169,7 @@ void RobotEnd::refuse(Peer& peer, wire::ByeCode code, const Sentence& reason) {
 
 void RobotEnd::lost(PeerId id, double now_s) {
   if (session_ && session_->peer == id) {
+    work_.reset();
     session_->peer.reset();
     session_->lost_s = now_s;
     log(say({"{}: connection lost; safe values once its commands run out",
@@ -195,6 +216,22 @@ void RobotEnd::stir(Peer& peer) {
 }
 
 void RobotEnd::poll(double now_s) {
+  taken_ = {};
+  latest_s_ = now_s;
+  look_at_peers(now_s);
+  if (running_) {
+    const double tick_s = robot_.description().tick_s;
+    if (now_s - next_tick_s_ > 1) next_tick_s_ = now_s;  // the program was stopped, or cannot keep up
+    for (; next_tick_s_ <= now_s; next_tick_s_ += tick_s) run_tick(now_s);
+  }
+  if (!work_) return;
+  const PeerId id = *session_->peer;
+  Peer& peer = peers_.at(id);
+  carry_on(peer, now_s);
+  read(id, peer, now_s);  // what it sent meanwhile
+}
+
+void RobotEnd::look_at_peers(double now_s) {
   int refused = 0;
   for (auto& [id, peer] : peers_) {
     if (peer.carrier == Carrier::Packets) continue;
@@ -208,13 +245,10 @@ void RobotEnd::poll(double now_s) {
     peer.state = Peer::State::Gone;
     stir(peer);
   }
-  if (!running_) return;
-  const double tick_s = robot_.description().tick_s;
-  if (now_s - next_tick_s_ > 1) next_tick_s_ = now_s;  // the program was stopped, or cannot keep up
-  for (; next_tick_s_ <= now_s; next_tick_s_ += tick_s) run_tick(now_s);
 }
 
 double RobotEnd::due_s() const {
+  if (work_) return -kInf;
   double due_s = running_ ? next_tick_s_ : kInf;
   for (const auto& [id, peer] : peers_) {
     if (peer.carrier == Carrier::Packets || peer.state == Peer::State::Gone) continue;

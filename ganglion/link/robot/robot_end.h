@@ -17,17 +17,25 @@ struct RobotEndConfig {
   double max_ttl_s = 0.5;      ///< Of commands in free-running.
   double free_after_s = 1;     ///< From a broken connection until somebody else may command.
   double silent_after_s = 10;  ///< The same from the last word of a connection that stands.
+  /// Of one step [s], or tick_s where that is longer: in its time nothing else is looked at.
+  double longest_step_s = 3600;
   bool lock_step = true;
   bool free_running = true;
   std::function<std::string()> token;        ///< Makes the token of a session.
   std::function<void(const Sentence&)> log;  ///< What happens, one line each.
+  std::function<double()> clock;             ///< Asked within a long receive(); none: its now_s has to do.
 };
 
 /// The robot's end of the link: an application, whoever talks to it, and the rules of docs/link.md. It knows no socket
 /// and no clock: bytes and the time are arguments, so that the same object serves TCP, serial lines and tests.
+///
+/// Whatever peers send, no more than kMostFrames frames and kMostBytes bytes are taken from them between two looks at
+/// what is due, which are calls of poll(), its own included; a Step is carried out in slices, one in each.
 class RobotEnd {
  public:
   using PeerId = std::uint32_t;
+  static constexpr std::uint32_t kMostFrames = 64;
+  static constexpr std::size_t kMostBytes = std::size_t{64} << 10;
   /// The application outlives it; it has been reset.
   RobotEnd(Application& application, RobotEndConfig config);
 
@@ -42,6 +50,8 @@ class RobotEnd {
   void sent(PeerId peer, std::size_t bytes, double now_s);
   /// Whether it is the one who commands.
   bool commands(PeerId peer) const noexcept { return session_ && session_->peer == peer; }
+  /// Whether what it asked for is still being carried out: then it is not to be read.
+  bool waits(PeerId peer) const noexcept { return work_ && commands(peer); }
   /// Once nothing is outgoing, the connection is to be closed.
   bool closing(PeerId peer) const;
   /// The connection is to be closed whatever is outgoing.
@@ -57,6 +67,13 @@ class RobotEnd {
   void shut_down(const Sentence& reason, double now_s);
 
   const LinkedRobot& robot() const noexcept { return robot_; }
+  /// What was taken from peers.
+  struct Taken {
+    std::uint32_t frames = 0;
+    std::size_t bytes = 0;
+  };
+  /// The most between two looks until now.
+  const Taken& most_taken() const noexcept { return most_taken_; }
   /// How many controllers have left in order, or were made to.
   std::uint32_t sessions_ended() const noexcept { return sessions_ended_; }
 
@@ -73,6 +90,12 @@ class RobotEnd {
     double aged_s = 0;                   // and until when its age is counted
     bool fresh = false;                  // it was not yet carried out
   };
+  /// A Step that was begun.
+  struct Work {
+    std::uint32_t ticks_left = 0;
+    double step_s = 0;
+  };
+  void take(std::uint32_t frames, std::size_t bytes, double now_s);
   void read(PeerId id, Peer& peer, double now_s);
   void handle(FrameKind kind, PeerId id, Peer& peer, double now_s);
   void greet(PeerId id, Peer& peer, double now_s);
@@ -81,8 +104,11 @@ class RobotEnd {
   bool begin(PeerId id, Peer& peer, bool again, double now_s);
   void command(FrameKind kind, Peer& peer, double now_s);
   void act(Peer& peer, double now_s);
-  void step(Peer& peer);
+  void step(Peer& peer, double now_s);
+  void carry_on(Peer& peer, double now_s);
+  double longest_step_s() const noexcept;
   void reset(Peer& peer);
+  void look_at_peers(double now_s);
   void run_tick(double now_s);
   void end_session(const Sentence& why);
   /// Whether a step of that length can be carried out at that tick; else the reason, or the answer, is on its way.
@@ -112,7 +138,12 @@ class RobotEnd {
   std::vector<PeerId> stirred_, stirred_before_;
   std::uint32_t sessions_ended_ = 0;
   std::optional<Session> session_;
-  bool running_ = false;  // the robot's own clock goes
+  std::optional<Work> work_;  // of the session's peer
+  wire::Sense earlier_;       // the ticks of a Step before its last
+  Taken taken_, most_taken_;  // since the last look; ever
+  double latest_s_ = 0;       // the last time that anybody told
+  double noted_s_;            // when a stranger who was sent away was last logged
+  bool running_ = false;      // the robot's own clock goes
   double next_tick_s_ = 0;
   Messages in_;
   wire::Sense sense_;

@@ -95,6 +95,8 @@ TEST_F(RobotEndTest, GoesOnForSeveralTicksUnderCommandsThatLapse) {
 TEST_F(RobotEndTest, RefusesInWords) {
   expect_refused("GET / HTTP/1.1\r\n", "this is a Ganglion robot link", false);
   expect_refused("{\"act\":{}}\n", "say Hello before Act", false);
+  expect_refused("{}\n", "say Hello first", false);
+  expect_refused("{\"telepathy\":{}}\n", "say Hello first", false);
   expect_refused("{\"hello\":{\"major\":2}}\n", "speaks protocol 1.0, not 2.0", false);
   expect_refused("{\"hello\":{\"major\":1,\"token\":\"guessed\"}}\n", "that session is over", false);
   expect_refused(kHello, "Hello is said once");
@@ -104,7 +106,11 @@ TEST_F(RobotEndTest, RefusesInWords) {
   expect_refused("{\"act\":{\"values\":[1]}}\n", "must have 2 values");
   expect_refused("{\"act\":{\"tick\":5,\"values\":[1,1]}}\n", "for tick 5, but the robot is at 0");
   expect_refused("{\"act\":{\"step_s\":\"NaN\",\"values\":[1,1]}}\n", "step_s is nan");
+  expect_refused("{\"act\":{\"step_s\":3601,\"values\":[1,1]}}\n", "step_s is 3601, must be ");
+  expect_refused("{\"act\":{\"step_s\":3601,\"values\":[1,1]}}\n", "0 and at most 3600\"");
   expect_refused("{\"step\":{\"ticks\":100000}}\n", "must be 1 to 1000");
+  expect_refused("{\"step\":{\"ticks\":1000,\"step_s\":3600}}\n",
+                 "Step asks for 1000 ticks of 3600 s, must be at most 3600 s in all");
   expect_refused("{" + std::string(2 << 20, 'x'), "a line is longer than");
   EXPECT_EQ(robot_.done().size(), 0u);
 }
@@ -116,6 +122,17 @@ TEST_F(RobotEndTest, RefusesAnAnnouncedGiantAtOnce) {
   const auto other = open();  // who has not said Hello may not even announce 5 kB
   EXPECT_NE(say(other, std::string("\0\0\x14\0", 4)).find("announces 5120 bytes; the limit is 4096"),
             std::string::npos);
+}
+
+TEST_F(RobotEndTest, LogsAStrangerWhoIsSentAwayOnceASecond) {
+  int lines = 0;
+  RobotEndConfig config = robot_config();
+  config.log = [&lines](const Sentence&) { ++lines; };
+  RobotEnd end(robot_, config);
+  for (int n = 0; n < 1000; ++n) end.receive(end.open(Carrier::Stream, "somebody", 3), "{}\n", 3);
+  EXPECT_EQ(lines, 1);
+  end.receive(end.open(Carrier::Stream, "somebody", 4), "{}\n", 4);
+  EXPECT_EQ(lines, 2);
 }
 
 TEST_F(RobotEndTest, LetsOneCommandAndOthersWatch) {

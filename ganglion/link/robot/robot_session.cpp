@@ -9,6 +9,7 @@ namespace ganglion::link {
 namespace {
 
 constexpr double kNoLimit_s = std::numeric_limits<double>::infinity();
+constexpr double kMaxStep_s = 3600;  // of all ticks of a Step
 
 }  // namespace
 
@@ -19,6 +20,7 @@ void RobotEnd::greet(PeerId id, Peer& peer, double now_s) {
   }
   const bool again = commands(id);  // over a serial line, which was unplugged or whose controller was started again
   if (again) {
+    work_.reset();
     session_->peer.reset();
     session_->lost_s = now_s;
     peer.state = Peer::State::New;
@@ -88,6 +90,7 @@ bool RobotEnd::resume(PeerId id, Peer& peer, double now_s) {
     refuse(peers_.at(*session_->peer), wire::REPLACED,
            say({"the session goes on over another connection", "la sesión sigue por otra conexión"}));
   }
+  work_.reset();
   session_->peer = id;
   session_->heard_s = now_s;
   peer.state = Peer::State::Commanding;
@@ -123,6 +126,7 @@ bool RobotEnd::begin(PeerId id, Peer& peer, bool again, double now_s) {
   session.peer = id;
   session.heard_s = now_s;
   session_ = std::move(session);
+  work_.reset();
   peer.state = Peer::State::Commanding;
   peer.reader.limit(kMaxFrameBytes);
   robot_.take_safe_values();
@@ -141,7 +145,11 @@ void RobotEnd::command(FrameKind kind, Peer& peer, double now_s) {
                   say({"Step is for lock-step: a free-running robot has a clock of its own",
                        "Step es para ir paso a paso: un robot que va a su propio ritmo tiene su propio reloj"}));
   }
-  step(peer);
+  step(peer, now_s);
+}
+
+double RobotEnd::longest_step_s() const noexcept {
+  return std::min(kMaxStep_s, std::max(config_.longest_step_s, robot_.description().tick_s));
 }
 
 bool RobotEnd::due(std::uint32_t tick, double& step_s, Peer& peer) {
@@ -157,10 +165,10 @@ bool RobotEnd::due(std::uint32_t tick, double& step_s, Peer& peer) {
     return false;
   }
   if (step_s == 0) step_s = robot_.description().tick_s;
-  if (!(step_s > 0 && step_s <= 3600)) {
+  if (!(step_s > 0 && step_s <= longest_step_s())) {
     refuse(peer, wire::BROKEN,
-           say({"step_s is {}, must be > 0 and at most 3600", "step_s es {}, debe ser > 0 y como máximo 3600"},
-               shortest(step_s)));
+           say({"step_s is {}, must be > 0 and at most {}", "step_s es {}, debe ser > 0 y como máximo {}"},
+               shortest(step_s), shortest(longest_step_s())));
     return false;
   }
   return true;
@@ -183,7 +191,7 @@ void RobotEnd::act(Peer& peer, double now_s) {
   watch();
 }
 
-void RobotEnd::step(Peer& peer) {
+void RobotEnd::step(Peer& peer, double now_s) {
   double step_s = in_.step.step_s();
   const std::uint32_t ticks = in_.step.ticks();
   if (ticks < 1 || ticks > 1000) {
@@ -192,12 +200,29 @@ void RobotEnd::step(Peer& peer) {
         say({"Step asks for {} ticks, must be 1 to 1000", "Step pide {} ciclos, deben ser de 1 a 1000"}, ticks));
   }
   if (!due(in_.step.tick(), step_s, peer)) return;
-  sense_.clear_earlier();
-  for (std::uint32_t n = 1; n <= ticks; ++n) {
-    robot_.step(step_s);
-    if (n < ticks) robot_.write(peer.floats, *sense_.add_earlier());
-    watch();
+  if (ticks * step_s > kMaxStep_s) {
+    return refuse(peer, wire::BROKEN,
+                  say({"Step asks for {} ticks of {} s, must be at most {} s in all",
+                       "Step pide {} ciclos de {} s, deben ser como máximo {} s en total"},
+                      ticks, shortest(step_s), shortest(kMaxStep_s)));
   }
+  earlier_.clear_earlier();
+  work_ = Work{ticks, step_s};
+  carry_on(peer, now_s);
+}
+
+void RobotEnd::carry_on(Peer& peer, double now_s) {
+  session_->heard_s = now_s;  // it waits for us
+  double left_s = longest_step_s();
+  do {
+    robot_.step(work_->step_s);
+    left_s -= work_->step_s;
+    if (--work_->ticks_left > 0) robot_.write(peer.floats, *earlier_.add_earlier());
+    watch();
+  } while (work_->ticks_left > 0 && work_->step_s <= left_s);
+  if (work_->ticks_left > 0) return;
+  work_.reset();
+  sense_.mutable_earlier()->Swap(earlier_.mutable_earlier());
   send_sense(peer, false);
   sense_.clear_earlier();
 }
@@ -227,6 +252,7 @@ void RobotEnd::run_tick(double now_s) {
 }
 
 void RobotEnd::end_session(const Sentence& why) {
+  work_.reset();
   robot_.take_safe_values();
   log(say({"session ended: {}", "la sesión terminó: {}"}, why));
   session_.reset();

@@ -240,5 +240,32 @@ TEST(LinkSession, FreeRunningRobotStopsByItselfWhenItHearsNothing) {
   }
 }
 
+/// Whether somebody else may not command that robot now.
+bool busy(Bench& bench) {
+  const auto peer = bench.end.open(Carrier::Stream, "somebody", bench.line->now_s());
+  bench.end.receive(peer, "{\"hello\":{\"major\":1,\"pace\":\"FREE_RUNNING\"}}\n", bench.line->now_s());
+  const std::string answer(bench.end.outgoing(peer));
+  bench.end.lost(peer, bench.line->now_s());
+  return answer.find("\"code\":\"BUSY\"") != std::string::npos;
+}
+
+TEST(LinkSession, KeepsItsPlaceWhileItsRunIsHeldBack) {
+  for (const RemoteConfig& config : {RemoteConfig{}, free_running()}) {
+    Bench bench;
+    const auto remote = bench.connect(config);
+    drive(*remote, 20);
+    for (int n = 0; n < 120; ++n) {
+      bench.line->wait_until(bench.line->now_s() + 0.5);
+      remote->stay_in_touch();
+    }
+    EXPECT_TRUE(busy(bench)) << "after a minute in touch";
+    EXPECT_FALSE(drive(*remote, 20).empty());
+    EXPECT_EQ(remote->failure(), nullptr);
+    EXPECT_EQ(bench.line->connections(), 1);
+    bench.line->wait_until(bench.line->now_s() + 10.5);
+    EXPECT_FALSE(busy(bench)) << "after ten seconds of silence";
+  }
+}
+
 }  // namespace
 }  // namespace ganglion::link

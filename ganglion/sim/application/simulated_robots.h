@@ -26,6 +26,8 @@ class RobotsModel final : public ApplicationModel {
   /// On open ground, from the same poses.
   Result<std::unique_ptr<Application>> unhindered(const Application& other) const override;
   std::string scene(std::uint64_t seed, std::uint32_t episode) const override;
+  /// The longest sub-steps that a step is cut into [s].
+  double substep_s() const noexcept { return robot_->substep_s; }
 
  private:
   Result<std::unique_ptr<Application>> make(std::shared_ptr<const Ground> ground, SpawnRule spawn) const;

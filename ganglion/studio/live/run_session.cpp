@@ -7,7 +7,8 @@ namespace ganglion::studio {
 namespace {
 
 constexpr auto kMeasure = std::chrono::milliseconds(500);
-constexpr auto kPatience = std::chrono::seconds(5);  // for a tick to end
+constexpr auto kInTouch = std::chrono::milliseconds(500);  // with robots that are elsewhere
+constexpr auto kPatience = std::chrono::seconds(5);        // for a tick to end
 constexpr std::size_t kMostWishes = 16;
 
 Json numbers(const std::vector<std::pair<std::string, double>>& measures) {
@@ -144,6 +145,7 @@ void RunSession::carry_out() {
     return stop_;
   };
   options.reach = [this](Reach reach) { reach_ = std::move(reach); };
+  options.in_touch = [this](std::function<void()> in_touch) { in_touch_ = std::move(in_touch); };
   options.armed = [this] {
     feed_->arm();
     std::unique_lock lock(mutex_);
@@ -168,6 +170,20 @@ void RunSession::carry_out() {
   conclude(lab::carry_out(*prepared_, job, keep, hooks));
 }
 
+/// Waits for a command, at most until then. Whoever waits long stays in touch with robots that are elsewhere.
+void RunSession::hold(std::unique_lock<std::mutex>& lock, Clock::time_point until) {
+  const auto next_touch = touched_ + kInTouch;
+  if (Clock::now() < next_touch) {
+    wake_.wait_until(lock, std::min(until, next_touch));
+    return;
+  }
+  touched_ = Clock::now();
+  if (!in_touch_) return;
+  lock.unlock();
+  in_touch_();
+  lock.lock();
+}
+
 /// Holds the run back while it is paused or ahead of its pace. False: it shall end.
 bool RunSession::wait(std::unique_lock<std::mutex>& lock) {
   bool told = false;
@@ -176,12 +192,12 @@ bool RunSession::wait(std::unique_lock<std::mutex>& lock) {
     if (paused_ && steps_ == 0) {
       if (!told) changed_();  // it stands still now
       told = true;
-      if (!stop_ && wishes_.empty()) wake_.wait(lock);
+      if (!stop_ && wishes_.empty()) hold(lock, Clock::now() + kInTouch);
       due_ = Clock::now();
       continue;
     }
     if (paused_ || plan_.pace <= 0 || Clock::now() >= due_) break;
-    wake_.wait_until(lock, due_);
+    hold(lock, due_);
   }
   if (paused_ && steps_ > 0) --steps_;
   return !stop_;

@@ -66,6 +66,7 @@ class RunSession {
   void carry_out();
   bool between_ticks(double share);
   bool wait(std::unique_lock<std::mutex>& lock);
+  void hold(std::unique_lock<std::mutex>& lock, Clock::time_point until);
   void conclude(const Result<lab::Outcome>& outcome);
   template <class Change>
   bool change(Change&& what);
@@ -91,8 +92,10 @@ class RunSession {
   bool paused_ = false;
   std::uint32_t steps_ = 0;
   Reach reach_;
-  bool reachable_ = false;    ///< The run's thread comes by for wishes.
-  std::deque<Wish*> wishes_;  ///< Not taken yet; each belongs to who waits for it.
+  std::function<void()> in_touch_;  ///< Of the run's thread, as is reach_.
+  Clock::time_point touched_{};     ///< When that was last called.
+  bool reachable_ = false;          ///< The run's thread comes by for wishes.
+  std::deque<Wish*> wishes_;        ///< Not taken yet; each belongs to who waits for it.
   std::condition_variable answered_;
   double share_ = 0;
   Clock::time_point due_{};  ///< When the next tick may begin.
