@@ -123,9 +123,13 @@ void ControllerEnd::receive(std::string_view bytes, double now_s) {
   while (connected_ && !failure_) {
     const auto payload = reader_.next();
     if (!payload) {
-      return fail(
-          say({"what answers there is no robot link: {}", "lo que responde allí no es el enlace de un robot: {}"},
-              payload.error().what));
+      const bool strange = !reader_.encoding();  // its very first byte is none of ours
+      return fail(strange
+                      ? say({"what answers there is no robot link: neither a JSON line nor a binary frame came",
+                             "lo que responde allí no es el enlace de un robot: no llegó ni una línea JSON ni una "
+                             "trama binaria"})
+                      : say({"the robot breaks the rules of the link: {}", "el robot rompe las reglas del enlace: {}"},
+                            payload.error().what));
     }
     if (!*payload) break;
     const auto kind = decode(**payload, *reader_.encoding(), in_);
