@@ -13,6 +13,7 @@ namespace {
 int replay_recorded(const std::string& file) {
   const auto result = replay_run(file);
   if (!result) return complain(result.error());
+  for (const Sentence& damage : result->damages) note(say({"damaged: {}", "dañado: {}"}, damage));
   if (result->same) {
     tell({"same: digest {}", "igual: huella {}"}, result->digest);
     return kDone;

@@ -1,10 +1,16 @@
 #include "results_reader.h"
 
+#include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "ganglion/base/file.h"
+#include "ganglion/base/hash.h"
+#include "ganglion/base/text.h"
 #include "ganglion/lab/outcome.h"
 #include "ganglion/record/catalogue.h"
+#include "ganglion/run/inputs.h"
 
 namespace ganglion {
 namespace {
@@ -40,6 +46,46 @@ Result<std::vector<report::BatchRun>> runs_of_json(const std::string& file) {
   return read;
 }
 
+/// All that went into a run but its seed and what it knew: its files, and what --set changed.
+std::uint64_t settings_of(const fs::path& file) {
+  const auto run = RunFile::read_summary(file, Recover::Yes);
+  if (!run) return 0;
+  std::uint64_t hash = hash_name(run->info.name);
+  for (const mcap::Attachment& one : run->attachments) {
+    if (one.name.starts_with("input/") || one.name.starts_with("builtin/")) hash = combine(hash, hash_name(one.bytes));
+  }
+  const auto inputs = AttachedFiles::of(*run);
+  if (!inputs) return hash;
+  for (const config::Override& one : (*inputs)->overrides())
+    hash = combine(hash, hash_name(one.path + "=" + one.value));
+  return hash;
+}
+
+/// A batch is the runs of one controller with one set of settings, each seed once; by seed.
+Result<void> check_one_batch(const std::string& folder, std::span<const RunSummary> runs) {
+  std::map<std::uint64_t, std::vector<std::string>> kinds;
+  for (const RunSummary& run : runs) {
+    if (run.finished) kinds[settings_of(fs::path(folder) / run.file)].push_back(run.file);
+  }
+  if (kinds.size() > 1) {
+    std::vector<std::string> told;
+    for (const auto& [kind, files] : kinds) told.push_back(fmt::format("{} ({})", files.front(), files.size()));
+    return fail_at({folder}, ErrorCode::BadParameter,
+                   {"holds runs of {} controllers or settings, which are no batch: {}; give each a folder of its own",
+                    "contiene ejecuciones de {} controladores o ajustes, que no son una serie: {}; dé a cada uno una "
+                    "carpeta propia"},
+                   kinds.size(), join(told, ", "));
+  }
+  const auto twice = std::ranges::adjacent_find(runs, [](const RunSummary& one, const RunSummary& next) {
+    return one.seed == next.seed && one.episode == next.episode && one.finished && next.finished;
+  });
+  if (twice == runs.end()) return {};
+  return fail_at({folder}, ErrorCode::BadParameter,
+                 {"holds seed {} twice, {} and {}: no batch; give each a folder of its own",
+                  "contiene la semilla {} dos veces, {} y {}: no es una serie; dé a cada una una carpeta propia"},
+                 twice->seed, twice->file, std::next(twice)->file);
+}
+
 Result<std::vector<report::BatchRun>> runs_of_folder(const std::string& folder) {
   auto catalogue = RunCatalogue::open(folder);
   if (!catalogue) return tl::unexpected<Error>(catalogue.error());
@@ -50,6 +96,7 @@ Result<std::vector<report::BatchRun>> runs_of_folder(const std::string& folder) 
   filter.limit = kMaxRuns;
   const auto runs = catalogue->list(filter);
   if (!runs) return tl::unexpected<Error>(runs.error());
+  if (auto one = check_one_batch(folder, *runs); !one) return tl::unexpected<Error>(one.error());
   std::vector<report::BatchRun> read;
   for (const RunSummary& run : *runs) read.push_back({run.finished ? run.verdict : Verdict::Failed, run.measures});
   return read;

@@ -117,6 +117,29 @@ int complain_of(const lab::Outcome& outcome) {
   return code;
 }
 
+/// Says where runs have other names than they were to have, since their own were taken by different ones.
+void tell_names(const RunArguments& arguments, const std::vector<lab::Outcome>& outcomes) {
+  const auto renamed = [&](const lab::Outcome& outcome) {
+    return !outcome.files.empty() && outcome.trouble(lab::Trouble::Of::Files) == nullptr &&
+           fs::path(outcome.files.front()).filename() != run_file({}, outcome.job.seed).filename();
+  };
+  const auto first = std::ranges::find_if(outcomes, renamed);
+  if (first == outcomes.end()) return;
+  const std::string wanted = run_file(output_folder(arguments), first->job.seed).string();
+  if (outcomes.size() == 1) {
+    note(say({"note: {} holds another run (another controller, other settings or inputs) and stays; this one is {}",
+              "nota: {} contiene otra ejecución (otro controlador, otros ajustes u otras entradas) y se queda; esta es "
+              "{}"},
+             wanted, first->files.front()));
+    return;
+  }
+  note(say({"note: {} of {} runs found another run (another controller, other settings or inputs) under their name, "
+            "which stays; {} is {}. For batches to be compared choose a folder for each, with --out",
+            "nota: {} de {} ejecuciones hallaron otra ejecución (otro controlador, otros ajustes u otras entradas) con "
+            "su nombre, que se queda; {} es {}. Para comparar series elija una carpeta para cada una, con --out"},
+           std::ranges::count_if(outcomes, renamed), outcomes.size(), wanted, first->files.front()));
+}
+
 /// What runs of one experiment over many seeds share.
 lab::BatchOptions batch_of(const RunArguments& arguments, std::vector<ModuleExperience> experience) {
   lab::BatchOptions options;
@@ -152,6 +175,7 @@ int run_many(const Prepared& prepared, const RunArguments& arguments, const Seed
     if (const auto listed = lab::catalogue(output_folder(arguments), *outcomes, prepared); !listed)
       complain(listed.error());
   }
+  tell_names(arguments, *outcomes);
   return std::max(code, print(arguments, *outcomes));
 }
 
@@ -194,6 +218,7 @@ int run_one(const Prepared& prepared, const RunArguments& arguments, double pace
   const auto outcome = lab::carry_out(prepared, job, keep_of(arguments, job.seed), hooks);
   if (!outcome) return complain(outcome.error());
   const int written = complain_of(*outcome);
+  tell_names(arguments, {*outcome});
   if (print(arguments, {*outcome}) != kDone) return kOutputFailed;
   if (!arguments.json) {
     for (const std::string& file : outcome->files) tell({"wrote {}", "escrito {}"}, file);

@@ -9,6 +9,7 @@
 #include "ganglion/record/csv.h"
 #include "ganglion/record/recover.h"
 #include "ganglion/record/run_file.h"
+#include "ganglion/run/inputs.h"
 #include "language.h"
 #include "results_reader.h"
 #include "say.h"
@@ -109,7 +110,7 @@ int signals(const RunsArguments& arguments) {
   const auto run = RunFile::read(arguments.file, Recover::Yes);
   if (!run) return complain(run.error());
   for (const SignalTable& table : run->tables) {
-    std::string name = table.topic.substr(1);
+    std::string name = table.topic.substr(table.topic.starts_with('/') ? 1 : 0);
     std::replace(name.begin(), name.end(), '/', '_');
     const fs::path file = fs::path(arguments.out) / (name + ".csv");
     if (const auto written = write_csv(table, file); !written) return complain(written.error());
@@ -118,13 +119,24 @@ int signals(const RunsArguments& arguments) {
   return kDone;
 }
 
+/// A file of another program, as far as it can be checked without knowing what it holds.
+int verify_foreign(const std::string& file) {
+  const auto content = read_mcap(file, Recover::No, [](const mcap::Channel&, const mcap::Message&) {});
+  if (!content) return complain(content.error());
+  tell({"{}: whole, of another program ({}): no run, {} messages in {} channels",
+        "{}: entero, de otro programa ({}): ninguna ejecución, {} mensajes en {} canales"},
+       file, content->library.empty() ? "?" : printable(content->library, 80), content->messages,
+       content->channels.size());
+  return kDone;
+}
+
 int verify(const RunsArguments& arguments) {
   int worst = kDone;
   for (const std::string& file : arguments.files) {
     const auto run = RunFile::read(file);  // every checksum
     if (!run) {
-      complain(run.error());
-      worst = kBadInput;
+      const bool foreign = run.error().code == ErrorCode::Unsupported;  // holds no run
+      worst = std::max(worst, foreign ? verify_foreign(file) : complain(run.error()));
       continue;
     }
     if (run->outcome) {
@@ -136,6 +148,17 @@ int verify(const RunsArguments& arguments) {
   return worst;
 }
 
+/// A file that was cut while its inputs were written holds not all of them.
+void tell_lost_inputs(const std::string& file) {
+  const auto run = RunFile::read_summary(file);
+  if (!run) return;
+  const auto inputs = AttachedFiles::of(*run);
+  const auto lost = inputs ? (*inputs)->missing() : std::vector<std::string>{"inputs.json"};
+  if (lost.empty()) return;
+  note(say({"{}: lost are {}: it cannot be replayed", "{}: se perdieron {}: no se puede repetir"}, file,
+           join(lost, ", ")));
+}
+
 int recover(const RunsArguments& arguments) {
   const auto saved = recover_run(arguments.file, arguments.out);
   if (!saved) return complain(saved.error());
@@ -145,6 +168,7 @@ int recover(const RunsArguments& arguments) {
   tell({"saved {} chunks, {} messages, {:.1f} s of the run{}\nwrote {}",
         "se salvaron {} bloques, {} mensajes, {:.1f} s de la ejecución{}\nescrito {}"},
        saved->chunks, saved->messages, saved->until_s, outcome, arguments.out);
+  tell_lost_inputs(arguments.out);
   return kDone;
 }
 

@@ -1,10 +1,12 @@
 #include "ganglion/base/file.h"
 
-#include <fstream>
-#include <iterator>
+#include <fcntl.h>
+
+#include <cerrno>
 #include <system_error>
 
-#include <unistd.h>
+#include "ganglion/base/beneath.h"
+#include "ganglion/base/new_file.h"
 
 namespace ganglion {
 namespace fs = std::filesystem;
@@ -24,36 +26,21 @@ Result<std::string> read_file(const fs::path& path, std::size_t max_bytes) {
     return fail_at({path.string()}, ErrorCode::NotFound, {"there is no such file", "no existe el archivo"});
   if (!fs::is_regular_file(status))
     return fail_at({path.string()}, ErrorCode::Unreadable, {"is not a regular file", "no es un archivo regular"});
-  const auto size = fs::file_size(path, error);
-  if (error)
+  // It may be another by now: what is opened is looked at again, and never waited for.
+  const FileHandle file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+  if (!file.open())
     return fail_at({path.string()}, ErrorCode::Unreadable, {"cannot be read: {}", "no se puede leer: {}"},
-                   error.message());
-  if (size > max_bytes) return too_large(path, size, max_bytes);
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) return fail_at({path.string()}, ErrorCode::Unreadable, {"cannot be opened", "no se puede abrir"});
-  std::string content(size, '\0');
-  stream.read(content.data(), static_cast<std::streamsize>(size));
-  if (stream.bad()) return fail_at({path.string()}, ErrorCode::Unreadable, {"cannot be read", "no se puede leer"});
-  content.resize(static_cast<std::size_t>(stream.gcount()));
-  return content;
+                   std::generic_category().message(errno));
+  auto text = read_opened(file, max_bytes);
+  if (!text) text.error().place = {path.string()};
+  return text;
 }
 
 Result<void> write_file(const fs::path& path, std::string_view content) {
-  std::error_code error;
-  if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
-  fs::path part = path;
-  part += "." + std::to_string(::getpid()) + ".part";
-  std::ofstream stream(part, std::ios::binary | std::ios::trunc);
-  stream.write(content.data(), static_cast<std::streamsize>(content.size()));
-  stream.close();
-  if (stream) {
-    fs::rename(part, path, error);
-    if (!error) return {};
-  }
-  const Sentence why =
-      error ? Sentence::quoted(error.message()) : say({"disk full, or no permission", "disco lleno, o sin permiso"});
-  fs::remove(part, error);
-  return fail_at({path.string()}, ErrorCode::Unwritable, {"cannot be written: {}", "no se puede escribir: {}"}, why);
+  auto file = NewFile::beside(path);
+  if (!file) return tl::unexpected<Error>(file.error());
+  if (auto written = file->write(content); !written) return written;
+  return file->replace();
 }
 
 }  // namespace ganglion

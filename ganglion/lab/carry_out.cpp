@@ -30,7 +30,7 @@ Result<fs::path> write_page(const fs::path& run_file, Language language) {
 void make_of_file(const Prepared& prepared, const Keep& keep, Outcome& outcome) {
   if (keep.run_file.empty() || outcome.trouble(Trouble::Of::Files) != nullptr) return;
   if (keep.report) {
-    if (const auto page = write_page(keep.run_file, keep.language)) {
+    if (const auto page = write_page(outcome.files.front(), keep.language)) {
       outcome.files.push_back(page->string());
     } else {
       outcome.troubles.push_back({Trouble::Of::Files, page.error()});

@@ -56,7 +56,7 @@ TEST_F(CarryOut, TellsWhatCouldNotBeKept) {
   Keep keep;
   keep.run_file = folder_ / "seed_0003.mcap";
   ASSERT_TRUE(write_file(folder_ / "seed_0003.html" / "in_the_way", ""));  // a folder where the page shall be
-  ASSERT_TRUE(write_file(folder_ / "catalogue.sqlite", "no database"));
+  ASSERT_TRUE(write_file(folder_ / "catalogue.sqlite" / "in_the_way", ""));
   const Outcome outcome = carry_out(second("nimrod"), job_, keep).value();
   EXPECT_EQ(outcome.files.size(), 1u);
   ASSERT_NE(outcome.trouble(Trouble::Of::Files), nullptr);

@@ -73,6 +73,17 @@ std::vector<fs::path> run_files(const fs::path& folder) {
   return files;
 }
 
+/// A catalogue that is damaged gets out of the way, unless it is write-protected; only the newest such is kept.
+bool set_aside(const fs::path& file) {
+  std::error_code error, ignored;
+  constexpr auto kWritable = fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
+  if ((fs::status(file, error).permissions() & kWritable) == fs::perms::none || error) return false;
+  fs::path damaged = file;
+  fs::rename(file, damaged.replace_extension(".damaged.sqlite"), error);
+  for (const char* more : {"-wal", "-shm"}) fs::remove(file.string() + more, ignored);  // of no use to a new one
+  return !error;
+}
+
 std::string select_sql(const RunFilter& filter) {
   // Parameters 1-4 are the filters, 5 the measure to sort by, 6 the limit.
   const std::string_view column = order_column(filter.sort_by);
@@ -122,9 +133,15 @@ RunSummary summary_of(const RunFile& run, std::string file, std::int64_t recorde
 }
 
 Result<RunCatalogue> RunCatalogue::open(const fs::path& folder) {
-  auto database = Database::open(folder / "catalogue.sqlite", kLayout);
+  const fs::path file = folder / "catalogue.sqlite";
+  auto database = Database::open(file, kLayout);
+  if (database) return RunCatalogue(folder, std::move(*database));
+  if (database.error().code != ErrorCode::Corrupt || !set_aside(file)) return tl::unexpected(database.error());
+  database = Database::open(file, kLayout);
   if (!database) return tl::unexpected(database.error());
-  return RunCatalogue(folder, std::move(*database));
+  RunCatalogue anew(folder, std::move(*database));
+  if (const auto rebuilt = anew.rebuild(); !rebuilt) return tl::unexpected(rebuilt.error());
+  return anew;
 }
 
 Result<void> RunCatalogue::add(const RunSummary& run) {

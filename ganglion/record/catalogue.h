@@ -54,7 +54,8 @@ struct RebuildReport {
 /// is an index. Several processes may add at once.
 class RunCatalogue {
  public:
-  /// `folder`/catalogue.sqlite, made if missing. Fails as Database::open() does.
+  /// `folder`/catalogue.sqlite, made if missing. One that is damaged is set aside, "catalogue.damaged.sqlite", and built
+  /// anew from the run files. Fails as Database::open() does otherwise.
   static Result<RunCatalogue> open(const std::filesystem::path& folder);
 
   /// Adds a run, or replaces the one of the same file.

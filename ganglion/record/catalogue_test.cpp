@@ -1,6 +1,7 @@
 #include "ganglion/record/catalogue.h"
 
 #include <gtest/gtest.h>
+#include <sqlite3.h>
 
 #include <cmath>
 
@@ -134,6 +135,41 @@ TEST_F(Catalogue, IsRebuiltFromTheFiles) {
   EXPECT_GT((*runs)[0].recorded_s, 1'500'000'000);
   EXPECT_FALSE((*runs)[1].finished);
   EXPECT_EQ((*runs)[1].seed, 7u);
+}
+
+TEST_F(Catalogue, ThatIsDamagedIsBuiltAnewFromTheFiles) {
+  const RunInfo info{.name = "Nimrod", .seed = 7, .tick_s = 0.1, .controller_hash = "c0"};
+  ASSERT_TRUE(RunRecorder::create(folder_ / "done.mcap", info)->finish({.digest = "d7"}));
+  const auto add = [this] { return open().add(run("gone.mcap", 1, Verdict::Succeeded, {})); };
+  const std::filesystem::path file = folder_ / "catalogue.sqlite";
+  ASSERT_TRUE(add());
+  const std::string good = *read_file(file);
+  std::string torn = good;
+  torn.replace(good.size() / 2, 100, 100, 'x');
+  for (const std::string& bad : {std::string("no database"), torn, good.substr(0, good.size() / 2)}) {
+    ASSERT_TRUE(write_file(file, bad));
+    EXPECT_EQ(files(open().list({.sort_by = "file", .descending = false})), "done.mcap ");
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "catalogue.damaged.sqlite"));
+    ASSERT_TRUE(add()) << "as ever";
+    EXPECT_EQ(files(open().list({.sort_by = "file", .descending = false})), "done.mcap gone.mcap ");
+  }
+}
+
+TEST_F(Catalogue, OfAnotherProgramOrBehindALinkIsLeftAlone) {
+  const std::filesystem::path file = folder_ / "catalogue.sqlite", elsewhere = folder_ / "elsewhere.sqlite";
+  sqlite3* other = nullptr;
+  ASSERT_EQ(sqlite3_open(elsewhere.c_str(), &other), SQLITE_OK);
+  ASSERT_EQ(sqlite3_exec(other, "CREATE TABLE music(song)", nullptr, nullptr, nullptr), SQLITE_OK);
+  ASSERT_EQ(sqlite3_close(other), SQLITE_OK);
+  const std::string bytes = *read_file(elsewhere);
+  std::filesystem::copy_file(elsewhere, file);
+  EXPECT_EQ(RunCatalogue::open(folder_).error().code, ErrorCode::Unsupported);
+  EXPECT_EQ(*read_file(file), bytes);
+  std::filesystem::remove(file);
+  std::filesystem::remove(elsewhere);
+  std::filesystem::create_symlink(elsewhere, file);
+  EXPECT_EQ(RunCatalogue::open(folder_).error().code, ErrorCode::Unsupported);
+  EXPECT_FALSE(std::filesystem::exists(elsewhere));
 }
 
 TEST(CatalogueCsv, HasAColumnForEveryMeasure) {

@@ -112,11 +112,8 @@ Result<Recovery> recover_run(std::string_view bytes, const std::string& name, co
   recovery.until_s = static_cast<double>(latest_ns) * 1e-9;
   recovery.finished = has(*content, kOutcomeMetadata);
   recovery.damages = content->damages;
-  if (auto written = rewrite(bytes, name, *content, recovery, to, std::move(options)); !written) {
-    std::error_code ignored;
-    if (fs::is_regular_file(to, ignored)) fs::remove(to, ignored);
+  if (auto written = rewrite(bytes, name, *content, recovery, to, std::move(options)); !written)
     return tl::unexpected(written.error());
-  }
   return recovery;
 }
 

@@ -119,6 +119,7 @@ Result<RunFile> parse_run(std::string_view bytes, const std::string& name, Recov
     if (topic != run.json.end() && schema != content->schemas.end()) topic->second.schema_name = schema->second.name;
   }
   run.damages = std::move(content->damages);
+  run.without_gaps = content->without_gaps;
   auto outcome = take_metadata(content->metadata, run);
   if (outcome && collector.problem() && recover == Recover::No) outcome = tl::unexpected(*collector.problem());
   if (!outcome) {

@@ -40,6 +40,7 @@ struct RunFile {
   std::map<std::string, JsonTopic, std::less<>> json;                        ///< By topic.
   std::map<std::string, std::vector<ExhibitMessage>, std::less<>> exhibits;  ///< By topic.
   std::vector<Sentence> damages;  ///< What Recover::Yes passed over, in words.
+  bool without_gaps = true;       ///< Nothing was left out as far as it goes (McapContent).
 
   /// Fails with NotFound, Unreadable, TooLarge, Syntax (no MCAP file), Unsupported (an MCAP file, but not of a run) or
   /// Corrupt; a cut or damaged file can be read with Recover::Yes as far as it goes.

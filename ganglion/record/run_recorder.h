@@ -39,6 +39,8 @@ class RunRecorder final : public RunSink {
   /// Writes the outcome and closes the file. Fails with the first failure of the run.
   Result<void> finish(const RunOutcome& outcome);
   Result<void> status() const { return writer_.status(); }
+  /// Where it is written.
+  std::filesystem::path path() const { return writer_.path(); }
   std::uint64_t bytes_written() const noexcept { return writer_.bytes_written(); }
 
  private:

@@ -63,7 +63,6 @@ void attach_inputs(RunRecorder& recorder, const Experiment& experiment, const st
   const std::vector<std::string> names = names_of(files);
   std::map<std::string, std::size_t> sorted;  // each text once, in the order of names
   for (std::size_t i = 0; i < files.size(); ++i) sorted.emplace(names[i], i);
-  for (const auto& [name, index] : sorted) recorder.attach(name, *files[index].text);
   const auto name_of = [&](int index) {
     return index < 0 ? std::string() : names[static_cast<std::size_t>(index)].substr(kInput.size());
   };
@@ -80,6 +79,7 @@ void attach_inputs(RunRecorder& recorder, const Experiment& experiment, const st
         {{"role", files[i].role}, {"named", files[i].named}, {"attached", names[i]}, {"by", files[i].by}});
   }
   recorder.attach(kManifest, manifest.dump(-1, ' ', false, Json::error_handler_t::replace));
+  for (const auto& [name, index] : sorted) recorder.attach(name, *files[index].text);
 }
 
 Result<std::unique_ptr<AttachedFiles>> AttachedFiles::of(const RunFile& run) {
@@ -114,6 +114,15 @@ std::string AttachedFiles::experiment() const {
     if (listed.role == "experiment") return listed.named;
   }
   return "";
+}
+
+std::vector<std::string> AttachedFiles::missing() const {
+  std::vector<std::string> names;
+  for (const Listed& listed : listed_) {
+    const bool told = std::find(names.begin(), names.end(), listed.attached) != names.end();
+    if (!told && run_->attachment(listed.attached) == nullptr) names.push_back(listed.attached);
+  }
+  return names;
 }
 
 /// Who names a file is compared by where that one is attached: here files may be opened in another order.

@@ -14,7 +14,8 @@
 namespace ganglion {
 
 /// Attaches every file that was read, under "input/" and its name from the deepest folder that all lie below, texts of
-/// the program under "builtin/", and "inputs.json": which of them is what, who names it, and what --set changed.
+/// the program under "builtin/", and before them "inputs.json": which of them is what, who names it, and what --set
+/// changed. Of a file that is cut, what is missing is known by it.
 void attach_inputs(RunRecorder& recorder, const Experiment& experiment, const std::vector<OpenedFile>& files);
 
 /// The files of a recorded run, found by who names them and how; nothing is read from the disk. Of files whose list says
@@ -28,6 +29,8 @@ class AttachedFiles final : public FileReader {
   std::string experiment() const;
   /// What --set changed.
   const std::vector<config::Override>& overrides() const noexcept { return overrides_; }
+  /// What is listed, and not there, by the names under which it was attached.
+  std::vector<std::string> missing() const;
 
  private:
   struct Listed {

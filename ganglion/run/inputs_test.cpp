@@ -8,6 +8,7 @@
 #include "ganglion/base/file.h"
 #include "ganglion/base/testing/folder.h"
 #include "ganglion/graph/testing/rig.h"
+#include "ganglion/record/recover.h"
 #include "ganglion/run/replay.h"
 #include "ganglion/run/run.h"
 
@@ -168,6 +169,46 @@ TEST_F(Inputs, ThatAHostileListNamesLeadNowhere) {
     ASSERT_TRUE(recorder->finish({}));
     EXPECT_FALSE(replay_run(file_)) << list;
   }
+}
+
+TEST_F(Inputs, AreReplayedWhereOnlyTheSummaryIsDamaged) {
+  const RunResult result = run_once(kExperiments / "pathfinder");
+  const std::string whole = read_file(file_).value();
+  constexpr std::size_t kFooter = 9 + 20 + 8;                       // its head, its content, the magic bytes
+  for (const std::size_t from_end : {kFooter - 9, kFooter + 20}) {  // where it says the summary begins; the summary
+    std::string damaged = whole;
+    damaged[whole.size() - from_end] = static_cast<char>(damaged[whole.size() - from_end] ^ 0x40);
+    put("run.mcap", damaged);
+    ASSERT_FALSE(RunFile::read(file_));
+    expect_the_same_again(result.digest);
+    EXPECT_EQ(replay_run(file_)->damages.size(), 1u);
+  }
+  std::string damaged = whole;
+  damaged[whole.size() / 2] = static_cast<char>(damaged[whole.size() / 2] ^ 0x40);
+  put("run.mcap", damaged);
+  EXPECT_EQ(replay_run(file_).error().code, ErrorCode::Corrupt) << "of the data";
+}
+
+TEST_F(Inputs, OfARunThatWasCutAreRepeatedOrToldToBeLost) {
+  run_once(kExperiments / "pathfinder");
+  const std::string whole = read_file(file_).value();
+  const fs::path saved = folder_ / "saved.mcap";
+  std::size_t repeated = 0, lost = 0;
+  for (std::size_t cut = 100; cut < whole.size(); cut += 499) {
+    put("cut.mcap", whole.substr(0, cut));
+    if (!recover_run(folder_ / "cut.mcap", saved)) continue;  // nothing of a run is left
+    const auto replayed = replay_run(saved);
+    EXPECT_EQ(replay_run(folder_ / "cut.mcap").has_value(), replayed.has_value()) << cut;
+    EXPECT_TRUE(replayed ? replayed->same : replayed.error().code == ErrorCode::Corrupt) << cut;
+    ++(replayed ? repeated : lost);
+    if (replayed) continue;
+    const std::string told = replayed.error().text();
+    EXPECT_TRUE(told.find("lost what went into the run") != std::string::npos ||
+                told.find("holds no list of its input files") != std::string::npos)
+        << told;
+  }
+  EXPECT_GT(repeated, 0u);
+  EXPECT_GT(lost, 0u);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ganglion/record/place_run.h"
 #include "ganglion/run/inputs.h"
 #include "ganglion/run/version.h"
 
@@ -28,14 +29,14 @@ RunInfo info_of(const Prepared& prepared, const RunOptions& options) {
 
 Result<void> Recording::open(const Prepared& prepared, const RunOptions& options) {
   file_ = options.run_file;
-  std::error_code ignored;
-  fs::create_directories(fs::absolute(options.run_file).parent_path(), ignored);
-  auto recorder = RunRecorder::create(options.run_file, info_of(prepared, options));
+  McapWriterOptions written;
+  written.placing = mcap::Placing::UnderOwnName;
+  auto recorder = RunRecorder::create(options.run_file, info_of(prepared, options), std::move(written));
   if (!recorder) return tl::unexpected<Error>(recorder.error());
   recorder_ = std::make_unique<RunRecorder>(std::move(*recorder));
   attach_inputs(*recorder_, prepared.experiment, prepared.files);
-  criterion_ = text_of(prepared.experiment.success);
   recorder_->attach(kExperienceAttachment, export_parts(to_parts(options.experience)));
+  criterion_ = text_of(prepared.experiment.success);
   return {};
 }
 
@@ -63,9 +64,15 @@ Result<Recording> Recording::start(const Prepared& prepared, const RunOptions& o
 
 Result<void> Recording::finish(RunResult& result) {
   if (!recorder_) return {};
-  result.files.push_back(file_.string());
-  return recorder_->finish({result.digest, result.verdict, result.reason, criterion_, result.measures,
-                            result.component_digests, result.interventions});
+  const fs::path recorded = recorder_->path();
+  result.files.push_back(recorded.string());
+  const auto finished = recorder_->finish({result.digest, result.verdict, result.reason, criterion_, result.measures,
+                                           result.component_digests, result.interventions});
+  if (!finished) return finished;
+  const auto placed = place_run(recorded, file_);
+  if (!placed) return tl::unexpected<Error>(placed.error());
+  result.files.back() = placed->string();
+  return {};
 }
 
 Result<std::vector<ModuleExperience>> recorded_experience(const RunFile& run) {

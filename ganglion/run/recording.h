@@ -13,6 +13,8 @@ namespace ganglion {
 
 /// The run file of one run, with everything needed to repeat it: every input file, what --set changed, and the
 /// experience the run started from. Who watches is told the same. Without a file and a watcher all calls do nothing.
+/// Until it is whole the file has a name of its own, which ends as the wanted one does: what is left of a run that is
+/// killed is found among the others.
 class Recording {
  public:
   static Result<Recording> start(const Prepared& prepared, const RunOptions& options, const RunRobots& robots,
@@ -26,7 +28,7 @@ class Recording {
     if (writer_) writer_->write_intervention(descriptor, one, time_s);
     if (watched_) watched_->write_intervention(descriptor, one, time_s);
   }
-  /// Adds the outcome, closes the file and names it in the result.
+  /// Adds the outcome, closes the file, gives it its name (place_run()) and tells it in the result.
   Result<void> finish(RunResult& result);
 
  private:

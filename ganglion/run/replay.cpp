@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "ganglion/base/hash.h"
+#include "ganglion/base/text.h"
 #include "ganglion/record/run_file.h"
 #include "ganglion/run/inputs.h"
 #include "ganglion/run/prepared.h"
@@ -82,13 +83,34 @@ class RepeatedRows final : public RunSink {
   std::vector<Table> tables_;
 };
 
+/// All that was recorded, or the beginning of a file that was cut; the summary behind it may be damaged.
+Result<RunFile> recorded_run(const fs::path& run_file) {
+  auto whole = RunFile::read(run_file);
+  if (whole || whole.error().code != ErrorCode::Corrupt) return whole;
+  auto saved = RunFile::read(run_file, Recover::Yes);
+  return saved && saved->without_gaps ? std::move(saved) : std::move(whole);
+}
+
+/// Of a file that was cut while these were written.
+Result<void> check_complete(const RunFile& run, const AttachedFiles& files, const fs::path& run_file) {
+  auto lost = files.missing();
+  if (run.attachment(kExperienceAttachment) == nullptr) lost.emplace_back(kExperienceAttachment);
+  if (lost.empty()) return {};
+  return fail_at({run_file.string()}, ErrorCode::Corrupt,
+                 {"has lost what went into the run ({}): it cannot be repeated",
+                  "perdió lo que entró en la ejecución ({}): no se puede repetir"},
+                 join(lost, ", "));
+}
+
 }  // namespace
 
 Result<ReplayResult> replay_run(const fs::path& run_file) {
-  const auto recorded = RunFile::read(run_file);
+  const auto recorded = recorded_run(run_file);
   if (!recorded) return tl::unexpected<Error>(recorded.error());
   auto files = AttachedFiles::of(*recorded);
   if (!files) return tl::unexpected<Error>(files.error());
+  if (auto complete = check_complete(*recorded, **files, run_file); !complete)
+    return tl::unexpected<Error>(complete.error());
   auto experience = recorded_experience(*recorded);
   if (!experience) return tl::unexpected<Error>(experience.error());
   Problems problems;
@@ -103,6 +125,7 @@ Result<ReplayResult> replay_run(const fs::path& run_file) {
   if (!interventions) return tl::unexpected<Error>(interventions.error());
   options.interventions = std::move(*interventions);
   ReplayResult result;
+  result.damages = recorded->damages;
   RepeatedRows rows_again(*recorded, result);
   options.watcher = &rows_again;
   if (ended_early(*recorded) && !recorded->tables.empty()) {  // only as far as it goes

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "ganglion/base/result.h"
 
@@ -18,10 +19,11 @@ struct ReplayResult {
   std::string signal;                       ///< The first signal that differs in it.
   double recorded_value = 0;
   double value = 0;
+  std::vector<Sentence> damages;  ///< Of the file's end, or its summary, which a replay does not need.
 };
 
-/// Runs a recorded run again from its own input files, and compares bit for bit. Fails where the file cannot be read or
-/// its inputs are not accepted by this program any more.
+/// Runs a recorded run again from its own input files, and compares bit for bit. Fails where the file cannot be read,
+/// has lost any of its data or what went into the run, or its inputs are not accepted by this program any more.
 Result<ReplayResult> replay_run(const std::filesystem::path& run_file);
 
 }  // namespace ganglion

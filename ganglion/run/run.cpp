@@ -104,6 +104,7 @@ class Course {
   std::uint32_t tick() const noexcept { return sense_.front().tick; }
   double time_s() const noexcept { return sense_.front().time_s; }
   const RunRobots& robots() const noexcept { return robots_; }
+  void name_output(const std::filesystem::path& run_file) { robots_.name_output(run_file); }
   /// Null where nobody knows the truth.
   const Witness* witness() const noexcept { return robots_.witness(); }
   /// What tasks keep of robot 0, in the order of the application's model; null where nobody knows it.
@@ -315,6 +316,7 @@ Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
   judge(prepared.experiment, result);
   if (auto kept = handing_over.conclude(); !kept) result.experience_error = kept.error();
   if (auto finished = recording->finish(result); !finished) result.record_error = finished.error();
+  if (!result.files.empty()) course->name_output(result.files.front());
   return result;
 }
 

@@ -1,22 +1,16 @@
 #include "ganglion/run/run_robots.h"
 
-#include <unistd.h>
-
 #include "ganglion/link/net/lines.h"
 #include "ganglion/run/version.h"
 
 namespace ganglion {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr double kStart_s = 10;  // for a program to listen
 
-std::filesystem::path output_of(const RunOptions& options) {
-  if (options.run_file.empty()) {
-    return std::filesystem::temp_directory_path() / fmt::format("ganglion_program_{}_{}.log", ::getpid(), options.seed);
-  }
-  auto output = options.run_file;
-  return output.replace_extension(".program.log");
-}
+std::filesystem::path output_of(std::filesystem::path run_file) { return run_file.replace_extension(".program.log"); }
 
 link::RemoteConfig config_of(const Prepared& prepared, const RunOptions& options) {
   const LinkChoice& choice = prepared.experiment.link;
@@ -39,6 +33,10 @@ Result<RunRobots> RunRobots::make(const Prepared& prepared, const RunOptions& op
   return make_here(std::move(*application));
 }
 
+void RunRobots::name_output(const std::filesystem::path& run_file) {
+  if (program_ != nullptr) program_->name_output(output_of(run_file));
+}
+
 Result<RunRobots> RunRobots::make_here(std::unique_ptr<Application> application) {
   RunRobots robots;
   robots.application_ = std::move(application);
@@ -53,8 +51,9 @@ Result<RunRobots> RunRobots::reach(const Prepared& prepared, const RunOptions& o
   if (!choice.program.empty()) {
     const auto port = link::free_port();
     if (!port) return tl::unexpected<Error>(port.error());
-    auto program = link::Program::start(choice.program, prepared.experiment.files.experiment.parent_path(), *port,
-                                        output_of(options));
+    auto program = link::Program::start(
+        choice.program, prepared.experiment.files.experiment.parent_path(), *port,
+        output_of(options.run_file.empty() ? fs::temp_directory_path() / "ganglion" : options.run_file));
     if (!program) return tl::unexpected<Error>(program.error());
     robots.program_ = std::make_unique<link::Program>(std::move(*program));
     config.reach_s = kStart_s;

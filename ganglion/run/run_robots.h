@@ -23,6 +23,8 @@ class RunRobots {
   link::RemoteApplication* remote() const noexcept { return remote_; }
   /// Null where it does not.
   Application* here() const noexcept { return remote_ == nullptr ? application_.get() : nullptr; }
+  /// What their program prints lies beside that run file from now on.
+  void name_output(const std::filesystem::path& run_file);
   /// Whether they have a clock of their own.
   bool free_running() const noexcept { return free_running_; }
 

@@ -59,11 +59,22 @@ bool Child::running() {
   return pid_ > 0;
 }
 
+fs::path being_written(const fs::path& file) {
+  std::error_code error;
+  fs::directory_iterator entry(file.parent_path(), error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+    const fs::path& one = entry->path();
+    if (one.filename().string().starts_with(file.stem().string() + ".part-") && one.extension() == file.extension())
+      return one;
+  }
+  return file;
+}
+
 bool Child::wait_for(const fs::path& file, std::uint64_t bytes) {
   while (true) {
     const bool alive = running();
     std::error_code missing;
-    const auto size = fs::file_size(file, missing);
+    const auto size = fs::file_size(being_written(file), missing);
     if (!missing && size >= bytes) return true;
     if (!alive) return false;
     std::this_thread::yield();

@@ -24,10 +24,11 @@ class Child {
   ~Child();
 
   void send(int signal) const;
-  /// Waits until the file has at least so many bytes. False if the program ended before.
+  /// Waits until the file, or what is there of it, has at least so many bytes. False if the program ended before.
   bool wait_for(const std::filesystem::path& file, std::uint64_t bytes);
   /// Waits for its end: the exit code, or minus the signal that ended it.
   int wait();
+  pid_t process() const noexcept { return pid_; }
   std::string out() const;
   std::string err() const;
 
@@ -37,5 +38,8 @@ class Child {
   pid_t pid_ = -1;
   int status_ = 0;
 };
+
+/// The file, or while it is being written the one of a name of its own that is to become it.
+std::filesystem::path being_written(const std::filesystem::path& file);
 
 }  // namespace ganglion

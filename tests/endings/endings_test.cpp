@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include <csignal>
 
 #include "ganglion/base/file.h"
@@ -69,8 +71,13 @@ TEST_F(Endings, ByKillLeaveAFileThatIsRecovered) {
   ASSERT_TRUE(program.wait_for(run_file(), 100'000)) << program.err();
   program.send(SIGKILL);
   EXPECT_EQ(program.wait(), -SIGKILL);
-  EXPECT_FALSE(RunFile::read(run_file()));
-  Child recover(folder_, {"runs", "recover", run_file(), "--out", folder_ / "saved.mcap"});
+  EXPECT_FALSE(fs::exists(run_file()));
+  const fs::path left = being_written(run_file());
+  EXPECT_FALSE(RunFile::read(left));
+  Child listed(folder_, {"runs", "list", folder_});
+  EXPECT_EQ(listed.wait(), 0);
+  EXPECT_NE(listed.out().find("cut"), std::string::npos) << "found among the others: " << listed.out();
+  Child recover(folder_, {"runs", "recover", left, "--out", folder_ / "saved.mcap"});
   EXPECT_EQ(recover.wait(), 0) << recover.err();
   EXPECT_NE(recover.out().find("its outcome is lost"), std::string::npos) << recover.out();
   const auto run = RunFile::read(folder_ / "saved.mcap");
@@ -100,6 +107,7 @@ TEST_F(Endings, ByKillLeaveTheirExperienceToTheNextRunWhichWasRefusedUntilThen) 
   EXPECT_EQ(second.wait(), 4);
   EXPECT_NE(second.err().find("map.sqlite: is being written to by a run of \"Pathfinder"), std::string::npos)
       << second.err();
+  EXPECT_NE(second.err().find(fmt::format("process {},", first.process())), std::string::npos) << second.err();
   first.send(SIGKILL);
   EXPECT_EQ(first.wait(), -SIGKILL);
   Child heir(folder_ / "second", learn(folder_ / "second", "max"));
@@ -112,10 +120,9 @@ TEST_F(Endings, OnAFullDiskTellTheResultAndLeaveWhatWasWritten) {
                  "--out", folder_, "--json"},
                 {.file_bytes = 200'000});
   EXPECT_EQ(program.wait(), 4);
-  EXPECT_NE(program.err().find("seed_0001.mcap: cannot be written: File too large"), std::string::npos)
-      << program.err();
+  EXPECT_NE(program.err().find(".mcap: cannot be written: File too large"), std::string::npos) << program.err();
   EXPECT_NE(program.out().find("\"digest\""), std::string::npos) << program.out();
-  Child recover(folder_, {"runs", "recover", run_file(), "--out", folder_ / "saved.mcap"});
+  Child recover(folder_, {"runs", "recover", being_written(run_file()), "--out", folder_ / "saved.mcap"});
   EXPECT_EQ(recover.wait(), 0) << recover.err();
   EXPECT_TRUE(RunFile::read(folder_ / "saved.mcap"));
 }
@@ -148,11 +155,10 @@ TEST_F(Endings, WithoutAPlaceToWriteToAreTold) {
 TEST_F(Endings, WithoutTheirOwnRunFileAreTold) {
   Child program(folder_, long_run("--json"));
   ASSERT_TRUE(program.wait_for(run_file(), 1)) << program.err();
-  fs::remove(run_file());
+  fs::remove(being_written(run_file()));
   program.send(SIGINT);
   EXPECT_EQ(program.wait(), 4);
-  EXPECT_NE(program.err().find("seed_0001.mcap: cannot be read again: there is no such file"), std::string::npos)
-      << program.err();
+  EXPECT_NE(program.err().find("seed_0001.mcap: cannot be written: No such file"), std::string::npos) << program.err();
   EXPECT_NE(program.out().find("\"digest\""), std::string::npos) << "the result is told all the same";
 }
 
@@ -173,6 +179,30 @@ TEST_F(Endings, WithFilesThatCannotBeReadAreTold) {
   told("is not a regular file");
   fs::remove(folder_ / "experiment/experiment.toml");
   told("experiment.toml: there is no such file");
+}
+
+/// Without chunks, index or summary, as other programs write them.
+std::string foreign_file(std::string_view more) {
+  const auto record = [](char opcode, const std::string& content) {
+    std::string bytes(1, opcode);
+    for (int byte = 0; byte < 8; ++byte) bytes += static_cast<char>(content.size() >> (8 * byte) & 0xff);
+    return bytes + content;
+  };
+  const std::string magic("\x89MCAP0\r\n", 8), two_empty_texts(8, '\0');
+  return magic + record(1, two_empty_texts) + std::string(more) + record(15, std::string(4, '\0')) +
+         record(2, std::string(20, '\0')) + magic;
+}
+
+TEST_F(Endings, OfVerifyTellWhetherAFileOfAnotherProgramIsWhole) {
+  ASSERT_TRUE(write_file(folder_ / "foreign.mcap", foreign_file("")));
+  ASSERT_TRUE(write_file(folder_ / "damaged.mcap", foreign_file(std::string("\x05\x01\0\0\0\0\0\0\0x", 10))));
+  Child whole(folder_, {"runs", "verify", folder_ / "foreign.mcap"});
+  EXPECT_EQ(whole.wait(), 0) << whole.err();
+  EXPECT_NE(whole.out().find("foreign.mcap: whole, of another program (?): no run, 0 messages"), std::string::npos)
+      << whole.out();
+  Child damaged(folder_, {"runs", "verify", folder_ / "damaged.mcap"});
+  EXPECT_EQ(damaged.wait(), 2);
+  EXPECT_NE(damaged.err().find("byte 25: a message is damaged"), std::string::npos) << damaged.err();
 }
 
 }  // namespace

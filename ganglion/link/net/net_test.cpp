@@ -186,6 +186,7 @@ TEST(TcpLine, SaysWhatToDoWhereNobodyListens) {
 
 TEST(Program, IsToldItsPortAndEndsWithItsOwner) {
   const fs::path output = fs::temp_directory_path() / fmt::format("ganglion_program_test_{}.log", ::getpid());
+  fs::create_symlink("/nowhere/else", output);  // nobody's business
   {
     auto program = Program::start({"sh", "-c", "echo {port} $GANGLION_PORT; pwd; exec sleep 1000"}, "/", 4711, output);
     ASSERT_TRUE(program) << program.error().what.en;
@@ -193,13 +194,13 @@ TEST(Program, IsToldItsPortAndEndsWithItsOwner) {
     while (program->last_words().en.find("| /") == std::string::npos && steady_s() < until_s) std::this_thread::yield();
     EXPECT_EQ(program->last_words(), Sentence::quoted("4711 4711 | /"));
     EXPECT_FALSE(program->ended());
+    program->name_output(output);
   }
   EXPECT_EQ(*read_file(output), "4711 4711\n/\n");
   fs::remove(output);
   const auto missing = Program::start({"no-such-program-of-ours"}, "/", 1, output);
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().code, ErrorCode::NotFound);
-  fs::remove(output);
 }
 
 }  // namespace

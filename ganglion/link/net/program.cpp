@@ -13,6 +13,7 @@
 
 #include "ganglion/base/expects.h"
 #include "ganglion/base/file.h"
+#include "ganglion/base/new_file.h"
 #include "ganglion/base/text.h"
 #include "ganglion/link/net/lines.h"
 
@@ -65,12 +66,9 @@ int failure_of(int report) {
 Result<Program> Program::start(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
                                std::uint16_t port, const std::filesystem::path& output) {
   expects(!arguments.empty());
-  std::error_code ignored;
-  std::filesystem::create_directories(std::filesystem::absolute(output).parent_path(), ignored);
-  const int log = ::open(output.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  if (log < 0) {
-    return fail(ErrorCode::Unwritable, {"{}: cannot be written", "{}: no se puede escribir"}, output.string());
-  }
+  auto log = NewFile::beside(output, output.extension().string());
+  if (!log) return tl::unexpected<Error>(log.error());
+  log->keep();
   const std::string number = std::to_string(port);
   std::vector<std::string> texts;
   for (const std::string& argument : arguments) texts.push_back(with_port(argument, number));
@@ -84,12 +82,11 @@ Result<Program> Program::start(const std::vector<std::string>& arguments, const 
   const bool piped = ::pipe2(report, O_CLOEXEC) == 0;
   const std::string where = folder.empty() ? "." : folder.string();
   const pid_t process = piped ? ::fork() : -1;
-  if (process == 0) become(pointers, environment, where.c_str(), log, report[1]);
-  ::close(log);
+  if (process == 0) become(pointers, environment, where.c_str(), log->descriptor(), report[1]);
   if (piped) ::close(report[1]);
   const int error = process < 0 ? errno : failure_of(report[0]);
   if (piped) ::close(report[0]);
-  if (error == 0) return Program(process, output);
+  if (error == 0) return Program(process, log->path());
   if (process > 0) ::waitpid(process, nullptr, 0);
   return fail(
       ErrorCode::NotFound,
@@ -108,6 +105,12 @@ Program::~Program() {
   if (ended()) return;
   ::kill(-process_, SIGKILL);
   ::waitpid(process_, nullptr, 0);
+}
+
+void Program::name_output(const std::filesystem::path& name) {
+  std::error_code failed;
+  std::filesystem::rename(output_, name, failed);
+  if (!failed) output_ = name;
 }
 
 bool Program::ended() noexcept {

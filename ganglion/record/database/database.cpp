@@ -14,6 +14,14 @@ namespace {
 
 constexpr std::chrono::seconds kPatience{10};  // with another process that holds the file
 
+/// Without a link on the way: SQLite is told to follow none, so that none that is put there leads it out.
+std::string database_place(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::filesystem::path folder =
+      std::filesystem::canonical(path.has_parent_path() ? path.parent_path() : std::filesystem::path("."), error);
+  return error ? path.string() : (folder / path.filename()).string();
+}
+
 }  // namespace
 
 Error database_failure(sqlite3* connection, const std::string& file) {
@@ -49,8 +57,14 @@ void Database::Close::operator()(sqlite3* connection) const noexcept { sqlite3_c
 Result<Database> Database::open(const std::filesystem::path& path, const DatabaseLayout& layout) {
   std::error_code error;
   if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
+  if (std::filesystem::is_symlink(path, error)) {
+    return fail_at({path.string()}, ErrorCode::Unsupported,
+                   {"is a link; name the file that it leads to", "es un enlace; nombre el archivo al que lleva"});
+  }
+  if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
+    return fail_at({path.string()}, ErrorCode::Unreadable, {"is not a regular file", "no es un archivo regular"});
   Database database(path.string());
-  auto outcome = database.connect();
+  auto outcome = database.connect(database_place(path), SQLITE_OPEN_NOFOLLOW);
   if (outcome) outcome = database.check_identity(layout);
   if (outcome) outcome = database.configure(layout);
   if (outcome) outcome = database.upgrade(layout);
@@ -59,10 +73,11 @@ Result<Database> Database::open(const std::filesystem::path& path, const Databas
   return database;
 }
 
-Result<void> Database::connect() {
+Result<void> Database::connect(const std::string& place, int more_flags) {
   sqlite3* connection = nullptr;
-  const int code = sqlite3_open_v2(file_.c_str(), &connection,
-                                   SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX, nullptr);
+  const int code =
+      sqlite3_open_v2(place.c_str(), &connection,
+                      SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX | more_flags, nullptr);
   connection_.reset(connection);
   if (code != SQLITE_OK) return tl::unexpected(database_failure(connection, file_));
   sqlite3_busy_timeout(connection, static_cast<int>(std::chrono::milliseconds(kPatience).count()));
@@ -145,7 +160,7 @@ Result<void> Database::check_content(const DatabaseLayout& layout) const {
   // Tables that only look like ours (a view without end, a trigger) must not be queried: compare with freshly made
   // ones.
   Database fresh(":memory:");
-  auto outcome = fresh.connect();
+  auto outcome = fresh.connect(fresh.file_, 0);
   if (outcome) outcome = fresh.upgrade(layout);
   if (!outcome) return outcome;
   const auto wanted = fresh.schema();

@@ -59,8 +59,8 @@ class Statement {
 class Database {
  public:
   /// Opens, or makes with its folder, and brings an older layout up to date in one transaction.
-  /// Fails with Unreadable (no permission, disk full, in use), Corrupt (no SQLite file, damaged, or tables that are not
-  /// ours) or Unsupported (a newer version, or an SQLite file of something else, which is left as it is).
+  /// Fails with Unreadable (no permission, disk full, in use, no regular file), Corrupt (no SQLite file, damaged, or tables that are not
+  /// ours) or Unsupported (a newer version, an SQLite file of something else, or a link: they are left as they are).
   static Result<Database> open(const std::filesystem::path& path, const DatabaseLayout& layout);
 
   Result<Statement> prepare(std::string_view sql) const;
@@ -76,7 +76,7 @@ class Database {
     void operator()(sqlite3* connection) const noexcept;
   };
   explicit Database(std::string file) : file_(std::move(file)) {}
-  Result<void> connect();
+  Result<void> connect(const std::string& place, int more_flags);
   Result<std::int64_t> integer(std::string_view sql) const;
   Result<void> check_identity(const DatabaseLayout& layout) const;
   Result<void> configure(const DatabaseLayout& layout) const;

@@ -1,27 +1,27 @@
 #include "ganglion/record/mcap/output_file.h"
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
 #include <condition_variable>
 #include <mutex>
+#include <optional>
 #include <system_error>
 #include <thread>
+#include <utility>
 
+#include "ganglion/base/new_file.h"
 #include "ganglion/record/mcap/fields.h"
 
 namespace ganglion::mcap {
 
 struct OutputFile::Handle {
-  Handle(std::string file_name, int descriptor) : name(std::move(file_name)), fd(descriptor) {}
+  Handle(std::string file_name, NewFile made, Placing place)
+      : name(std::move(file_name)), file(std::move(made)), placing(place) {}
   Handle(const Handle&) = delete;
   Handle& operator=(const Handle&) = delete;
-  ~Handle() {
-    stop_syncing();
-    if (fd >= 0) ::close(fd);
-  }
+  ~Handle() { stop_syncing(); }
 
   void keep(int number) noexcept {
     int none = 0;
@@ -30,7 +30,7 @@ struct OutputFile::Handle {
 
   void sync() noexcept {
     // EINVAL: a pipe or a device, which has no disk to wait for.
-    if (::fdatasync(fd) != 0 && errno != EINVAL) keep(errno);
+    if (::fdatasync(file.descriptor()) != 0 && errno != EINVAL) keep(errno);
   }
 
   void sync_when_asked() {
@@ -56,8 +56,11 @@ struct OutputFile::Handle {
   }
 
   std::string name;
-  int fd;
+  NewFile file;
+  Placing placing;
+  bool open = true;
   std::atomic<int> first_errno = 0;
+  std::optional<Error> refusal;  ///< Of its place.
   std::mutex mutex;
   std::condition_variable asked;
   bool wanted = false;
@@ -70,22 +73,20 @@ OutputFile::OutputFile(OutputFile&&) noexcept = default;
 OutputFile& OutputFile::operator=(OutputFile&&) noexcept = default;
 OutputFile::~OutputFile() = default;
 
-Result<OutputFile> OutputFile::create(const std::filesystem::path& path) {
-  std::error_code error;
-  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
-  const int fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  if (fd < 0) {
-    return fail_at({path.string()}, ErrorCode::Unwritable, {"cannot be written: {}", "no se puede escribir: {}"},
-                   std::generic_category().message(errno));
-  }
-  return OutputFile(std::make_unique<Handle>(path.string(), fd));
+Result<OutputFile> OutputFile::create(const std::filesystem::path& path, Placing placing) {
+  const bool replaces = placing == Placing::Replace;
+  auto file = NewFile::beside(path, replaces ? "" : path.extension().string());
+  if (!file) return tl::unexpected<Error>(file.error());
+  if (!replaces) file->keep();
+  const std::string name = (replaces ? path : file->path()).string();
+  return OutputFile(std::make_unique<Handle>(name, std::move(*file), placing));
 }
 
 void OutputFile::write(std::string_view bytes) {
   crc_ = crc32(bytes, crc_);
   position_ += bytes.size();
   while (!bytes.empty() && !failed()) {
-    const ssize_t count = ::write(handle_->fd, bytes.data(), bytes.size());
+    const ssize_t count = ::write(handle_->file.descriptor(), bytes.data(), bytes.size());
     if (count > 0)
       bytes.remove_prefix(static_cast<std::size_t>(count));
     else if (count < 0 && errno != EINTR)
@@ -105,19 +106,23 @@ void OutputFile::start_sync() {
 
 Result<void> OutputFile::close(bool durable) {
   handle_->stop_syncing();
-  if (handle_->fd >= 0) {
-    if (durable) handle_->sync();
-    if (::close(handle_->fd) != 0) handle_->keep(errno);
-    handle_->fd = -1;
+  if (!std::exchange(handle_->open, false)) return status();
+  if (durable) handle_->sync();
+  if (!failed() && handle_->placing == Placing::Replace) {
+    if (auto placed = handle_->file.replace(durable); !placed) handle_->refusal = placed.error();
   }
+  if (!handle_->file.close()) handle_->keep(errno);
   return status();
 }
 
-bool OutputFile::is_open() const noexcept { return handle_ != nullptr && handle_->fd >= 0; }
+std::filesystem::path OutputFile::path() const { return handle_->file.path(); }
+
+bool OutputFile::is_open() const noexcept { return handle_ != nullptr && handle_->open; }
 
 bool OutputFile::failed() const noexcept { return handle_->first_errno != 0; }
 
 Result<void> OutputFile::status() const {
+  if (handle_->refusal) return tl::unexpected<Error>(*handle_->refusal);
   if (!failed()) return {};
   return fail_at({handle_->name}, ErrorCode::Unwritable, {"cannot be written: {}", "no se puede escribir: {}"},
                  std::generic_category().message(handle_->first_errno));

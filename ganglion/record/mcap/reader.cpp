@@ -69,6 +69,7 @@ class Parser {
   std::size_t offset_ = mcap::kMagic.size();
   std::size_t record_offset_ = 0;  ///< Of the record being looked at, for messages.
   std::size_t summary_start_ = 0;
+  bool cut_ = false;  ///< Before the end of the data.
   std::optional<std::uint64_t> stated_messages_;
 };
 
@@ -80,6 +81,7 @@ Result<McapContent> Parser::parse() {
   }
   auto outcome = header();
   if (outcome) outcome = data_section();
+  content_.without_gaps = content_.damages.empty() && (outcome || cut_);
   if (outcome) outcome = summary_section();
   if (!outcome) {
     if (recover_ == Recover::No || overflowed()) return tl::unexpected(outcome.error());
@@ -105,8 +107,10 @@ Result<void> Parser::header() {
 Result<void> Parser::data_section() {
   while (true) {
     const auto record = mcap::record_at(bytes_, offset_);
-    if (!record)
+    if (!record) {
+      cut_ = true;
       return corrupt(offset_, {"the file was cut here; it has no end", "el archivo se cortó aquí; no tiene final"});
+    }
     record_offset_ = offset_;
     if (auto outcome = data_record(*record); !outcome) {
       if (recover_ == Recover::No || record->opcode == Opcode::DataEnd || overflowed()) return outcome;

@@ -27,6 +27,9 @@ struct McapContent {
   std::uint64_t messages = 0;  ///< Without a sink: as the summary states, 0 where there is none.
   /// What Recover::Yes passed over, in the order of the file; empty = the file is whole.
   std::vector<Sentence> damages;
+  /// Nothing was left out of the data as far as it goes: the file was cut, or its summary is damaged, which only repeats
+  /// what the data says, or it is whole.
+  bool without_gaps = true;
 };
 
 /// Given every message in the order of the file; its data lives only as long as the call.

@@ -27,7 +27,7 @@ void McapWriter::Span::add(std::uint64_t time_ns) noexcept {
 }
 
 Result<McapWriter> McapWriter::create(const std::filesystem::path& path, McapWriterOptions options) {
-  auto file = mcap::OutputFile::create(path);
+  auto file = mcap::OutputFile::create(path, options.placing);
   if (!file) return tl::unexpected(file.error());
   return McapWriter(std::move(*file), std::move(options));
 }

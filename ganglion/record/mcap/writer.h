@@ -21,6 +21,7 @@ struct McapWriterOptions {
   std::int64_t chunk_age_ns = 1'000'000'000;  ///< or once bytes not yet on their way to the disk are as old as this.
   int zstd_level = 1;
   bool durable = true;  ///< Waits for the disk (fdatasync): aside while writing, at the end in close().
+  mcap::Placing placing = mcap::Placing::Replace;            ///< What becomes of the file in close().
   std::size_t max_file_bytes = mcap::kMaxMcapFileBytes;      ///< What McapReader still takes. Over it the file is full:
   std::size_t max_unpacked_bytes = mcap::kMaxUnpackedBytes;  ///< messages are dropped and status() says from when on.
   std::function<std::int64_t()> now_ns;                      ///< Ages are taken from this; empty = the steady clock.
@@ -60,6 +61,8 @@ class McapWriter {
   Result<void> close();
   /// The first failure so far.
   Result<void> status() const;
+  /// Where it is written.
+  std::filesystem::path path() const { return file_.path(); }
   /// Bytes handed to the operating system so far.
   std::uint64_t bytes_written() const noexcept { return file_.position(); }
 

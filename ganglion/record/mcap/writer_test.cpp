@@ -1,4 +1,6 @@
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
 
 #include "ganglion/record/mcap/fields.h"
 #include "ganglion/record/mcap/testing/mcap_file.h"
@@ -44,7 +46,8 @@ TEST_F(McapWriting, ClosesAChunkOnceItsOldestMessageIsASecondOld) {
   writer.write(channel, 2, 2, 2, "three");
   EXPECT_GT(writer.bytes_written(), before);
   std::vector<Got> got;
-  ASSERT_TRUE(read_mcap(path(), Recover::Yes, collect(got)));  // while it is still being written
+  EXPECT_FALSE(std::filesystem::exists(path()));
+  ASSERT_TRUE(read_mcap(writer.path(), Recover::Yes, collect(got)));  // while it is still being written
   EXPECT_EQ(got.size(), 3u);
 }
 
@@ -59,15 +62,50 @@ TEST_F(McapWriting, ClosesAChunkOfAMebibyte) {
   EXPECT_GT(writer.bytes_written(), before);
 }
 
+/// No file of this process gets longer, as on a full disk.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t bytes) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit full{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &full);
+  }
+  ~FullDisk() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    ::signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int) = ::signal(SIGXFSZ, SIG_IGN);
+};
+
 TEST_F(McapWriting, TellsAFullDiskAndCarriesOnWithoutIt) {
-  options_.durable = true;
-  auto writer = *McapWriter::create("/dev/full", std::move(options_));
-  const auto channel = writer.add_channel("/a", 0, "x");
-  for (std::uint32_t i = 0; i < 10; ++i) writer.write(channel, i, i, i, "data");
-  const auto closed = writer.close();
-  ASSERT_FALSE(closed);
-  EXPECT_EQ(closed.error().code, ErrorCode::Unwritable);
-  EXPECT_NE(closed.error().text().find("/dev/full: cannot be written: No space left"), std::string::npos);
+  for (const auto placing : {mcap::Placing::Replace, mcap::Placing::UnderOwnName}) {
+    McapWriterOptions options = options_;
+    options.durable = true;
+    options.placing = placing;
+    const FullDisk full(100);
+    auto writer = *McapWriter::create(path(), std::move(options));
+    const auto channel = writer.add_channel("/a", 0, "x");
+    for (std::uint32_t i = 0; i < 10; ++i) writer.write(channel, i, i, i, "data");
+    const auto closed = writer.close();
+    ASSERT_FALSE(closed);
+    EXPECT_EQ(closed.error().code, ErrorCode::Unwritable);
+    EXPECT_NE(closed.error().text().find("mcap: cannot be written: File too large"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(path()));
+  }
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), std::filesystem::directory_iterator()), 1)
+      << "the beginning of the one that was to stay";
+}
+
+TEST_F(McapWriting, LeavesTheOldFileUntilTheNewOneIsWhole) {
+  ASSERT_TRUE(write_file(path(), "old"));
+  auto writer = *McapWriter::create(path(), std::move(options_));
+  writer.flush_chunk();
+  EXPECT_EQ(content(), "old");
+  ASSERT_TRUE(writer.close());
+  EXPECT_TRUE(content().starts_with(mcap::kMagic));
 }
 
 TEST_F(McapWriting, SaysFromWhenOnAFileIsFullAndStaysReadable) {

@@ -1,7 +1,11 @@
 #include "ganglion/studio/api/run_plan.h"
 
+#include <cerrno>
 #include <cmath>
 #include <ctime>
+#include <system_error>
+
+#include "ganglion/base/beneath.h"
 
 namespace ganglion::studio {
 namespace {
@@ -55,16 +59,21 @@ Result<RunPlan> plan_of(const Ask& ask, const Prepared& prepared, const Folder& 
   for (int i = 2; fs::exists(folder.root() / name, error); ++i) name = runs / fmt::format("{}_{}.mcap", stem, i);
   if (!folder.holds(folder.root() / name))
     return fail(ErrorCode::NotFound, {"the folder runs leads elsewhere", "la carpeta runs lleva a otro sitio"});
-  plan.run_file = folder.root() / name;
+  plan.run_folder =
+      std::make_shared<const FileHandle>(folder_beneath(folder.root(), folder.name_of(folder.root() / name), true));
+  if (!plan.run_folder->open())
+    return fail(ErrorCode::Unwritable, {"the folder {} cannot be opened: {}", "no se puede abrir la carpeta {}: {}"},
+                name.parent_path().generic_string(), std::generic_category().message(errno));
+  plan.run_file = fs::path("/proc/self/fd") / std::to_string(plan.run_folder->number()) / name.filename();
   plan.run_name = name.generic_string();
   return plan;
 }
 
-void renew_file(RunPlan& plan, std::uint64_t number, const Folder& folder) {
+void renew_file(RunPlan& plan, std::uint64_t number) {
   if (plan.run_file.empty()) return;
   const std::string stem = fmt::format("{}_seed_{:04}_{}", stamp(), plan.seed, number);
   plan.run_file.replace_filename(stem + ".mcap");
-  plan.run_name = folder.name_of(plan.run_file);
+  plan.run_name = fs::path(plan.run_name).replace_filename(stem + ".mcap").generic_string();
 }
 
 }  // namespace ganglion::studio

@@ -14,6 +14,6 @@ namespace ganglion::studio {
 Result<RunPlan> plan_of(const Ask& ask, const Prepared& prepared, const Folder& folder);
 
 /// Another file for the same run, if it is recorded; `number` is that of the new one.
-void renew_file(RunPlan& plan, std::uint64_t number, const Folder& folder);
+void renew_file(RunPlan& plan, std::uint64_t number);
 
 }  // namespace ganglion::studio

@@ -60,7 +60,7 @@ Reply RunRoutes::reset(const Ask& ask) {
   if (auto refused = run_.refuse_command(ask)) return *refused;
   auto plan = run_.end();
   if (!plan) return run_.answer(ask, false);
-  renew_file(*plan, run_.number() + 1, folder_);
+  renew_file(*plan, run_.number() + 1);
   run_.begin_again(std::move(*plan));
   return run_.begun();
 }

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "ganglion/base/beneath.h"
 #include "ganglion/base/hash.h"
 #include "ganglion/base/text.h"
-#include "ganglion/studio/folder/beneath.h"
 
 namespace ganglion::studio {
 namespace {
@@ -157,6 +157,7 @@ Result<void> Folder::autosave(std::string_view name, std::string_view text, cons
   std::error_code error;
   if (!fs::is_directory(path->parent_path(), error))
     return fail(ErrorCode::NotFound, {"there is no such folder", "no existe esa carpeta"});
+  if (fs::is_symlink(draft_of(*path), error)) remove_draft(*path);  // nobody but this program has drafts
   return put(draft_of(*path), fmt::format("{}{}\n{}", kDraftHead, based_on, text));
 }
 

@@ -4,8 +4,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "ganglion/base/beneath.h"
 #include "ganglion/base/file.h"
-#include "ganglion/studio/folder/beneath.h"
 #include "ganglion/studio/folder/listing.h"
 
 namespace ganglion::studio {

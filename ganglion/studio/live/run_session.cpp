@@ -222,12 +222,31 @@ bool RunSession::between_ticks(double share) {
   return wait(lock);
 }
 
+/// As the folder names the file that was recorded; "" where none was.
+std::string RunSession::run_name(const lab::Outcome& outcome) const {
+  if (plan_.run_file.empty() || outcome.files.empty()) return "";
+  return std::filesystem::path(plan_.run_name)
+      .replace_filename(std::filesystem::path(outcome.files.front()).filename())
+      .generic_string();
+}
+
+/// The file's name in place of the way that leads there.
+Error RunSession::named(Error error) const {
+  const std::filesystem::path file = error.place.file;
+  if (!plan_.run_file.empty() && file.parent_path() == plan_.run_file.parent_path()) {
+    error.place.file = std::filesystem::path(plan_.run_name).replace_filename(file.filename()).generic_string();
+  }
+  return error;
+}
+
 void RunSession::conclude(const Result<lab::Outcome>& concluded) {
   Json outcome;
   if (concluded) {
-    outcome = outcome_json(*concluded, plan_.run_file.empty() ? "" : plan_.run_name);
+    lab::Outcome told = *concluded;
+    for (lab::Trouble& trouble : told.troubles) trouble.error = named(trouble.error);
+    outcome = outcome_json(told, run_name(told));
   } else {
-    const Error& error = concluded.error();
+    const Error error = named(concluded.error());
     outcome = {{"success", false}, {"reason", error.what.en}, {"reason_es", error.what.es}};
     tell_error(outcome, error);
   }

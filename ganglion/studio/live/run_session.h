@@ -10,6 +10,7 @@
 #include <string>
 #include <thread>
 
+#include "ganglion/base/file_handle.h"
 #include "ganglion/lab/carry_out.h"
 #include "ganglion/studio/live/feed.h"
 
@@ -22,10 +23,12 @@ struct RunPlan {
   std::string experiment;  ///< Path, from the folder on.
   std::string controller;
   std::uint64_t seed = 1;
-  double pace = 1;                        ///< Times real time; 0 = as fast as can be.
-  bool paused = false;                    ///< Waits before the first tick.
-  std::filesystem::path run_file;         ///< Empty: not recorded.
-  std::string run_name;                   ///< The same from the folder on.
+  double pace = 1;                 ///< Times real time; 0 = as fast as can be.
+  bool paused = false;             ///< Waits before the first tick.
+  std::filesystem::path run_file;  ///< Empty: not recorded.
+  std::string run_name;            ///< The same from the folder on.
+  /// Held open while run_file leads through it, so that no link that is put in its place leads the run out.
+  std::shared_ptr<const FileHandle> run_folder;
   Language language = Language::English;  ///< Of the report.
 };
 
@@ -67,6 +70,8 @@ class RunSession {
   bool between_ticks(double share);
   bool wait(std::unique_lock<std::mutex>& lock);
   void hold(std::unique_lock<std::mutex>& lock, Clock::time_point until);
+  std::string run_name(const lab::Outcome& outcome) const;
+  Error named(Error error) const;
   void conclude(const Result<lab::Outcome>& outcome);
   template <class Change>
   bool change(Change&& what);

@@ -75,6 +75,22 @@ TEST_F(Security, RecordsNoRunElsewhere) {
   EXPECT_TRUE(std::filesystem::is_empty(outside()));
 }
 
+TEST_F(Security, RecordsNoRunElsewhereWhenALinkTakesItsFoldersPlace) {
+  const Client client = client_of();
+  Watcher watcher(client);
+  const Json paused = {{"experiment", "experiment.toml"}, {"duration_s", 1}, {"pace", 0}, {"paused", true}};
+  ASSERT_EQ(client.post("/api/run/start", paused).status, 200u);
+  std::filesystem::rename(folder() / "runs", folder() / "moved");
+  std::filesystem::create_directory_symlink(outside(), folder() / "runs");
+  client.post("/api/run/resume", {});
+  Json state;
+  while (state["state"] != "done") state = watcher.event("run", 60).value()["state"];
+  EXPECT_TRUE(state["outcome"]["error"].is_null()) << state.dump();
+  EXPECT_TRUE(state["outcome"]["file"].get<std::string>().starts_with("runs/")) << state.dump();
+  EXPECT_TRUE(std::filesystem::is_empty(outside()));
+  EXPECT_FALSE(std::filesystem::is_empty(folder() / "moved"));
+}
+
 TEST_F(Security, ServesAWebRootWithoutLeavingIt) {
   ASSERT_TRUE(write_file(outside() / "web/index.html", "<p>page"));
   ASSERT_TRUE(write_file(outside() / "secret.js", "secret"));
