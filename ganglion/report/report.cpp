@@ -53,9 +53,10 @@ std::string header(const plot::RunView& run, Language language) {
           badge(run, language);
   if (run.outcome && !run.outcome->criterion.en.empty())
     html += "<p>" + worded("span", "criterion", language) + ": " + sentence(run.outcome->criterion) + "</p>\n";
-  html += fmt::format("<p class=\"meta\">{} {} &middot; {} {:.1f} s &middot; {} {}", worded("span", "seed", language),
-                      run.seed, worded("span", "duration", language), run.duration_s,
-                      worded("span", "robots", language), run.robots.size());
+  html += fmt::format("<p class=\"meta\">{} {} &middot; {} {:.1f} s", worded("span", "seed", language), run.seed,
+                      worded("span", "duration", language), run.duration_s);
+  if (can_be_watched(run))
+    html += fmt::format(" &middot; {} {}", worded("span", "robots", language), run.robots.size());
   if (run.outcome && !run.outcome->digest.empty())
     html +=
         " &middot; " + worded("span", "digest", language) + fmt::format(" <code>{}</code>", safe(run.outcome->digest));
@@ -117,7 +118,7 @@ std::string events(const plot::RunView& run, Language language) {
     const double time_s = std::isfinite(event.time_s) ? event.time_s : 0;
     const std::string time =
         can_be_watched(run) ? fmt::format("<button type=\"button\" data-seek=\"{0:.3f}\">{0:.2f} s</button>", time_s)
-                            : fmt::format("<span>{:.2f} s</span>", time_s);
+                            : fmt::format("<span class=\"time\">{:.2f} s</span>", time_s);
     html += "<li>" + time + level_of(event.severity, language) + sentence(event.text) + "</li>\n";
   }
   html += "</ul>\n";

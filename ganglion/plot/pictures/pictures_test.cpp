@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include "ganglion/plot/testing/markup.h"
@@ -102,6 +103,20 @@ TEST(SignalPicture, ShowsEverySignalWithItsUnit) {
   EXPECT_TRUE(
       holds(words_of(pictures[0]), {"truth.x_m [m]", "truth.yaw_rad [rad]", "sonar_left [m]", "arbiter.active",
                                     "drive.right", "time [s]", "no valid reading", "nothing in range", "too close"}));
+}
+
+TEST(SignalPicture, ExplainsOnlyTheSignsThatItHas) {
+  RunView run = sample_behaviour_run(1, 30);
+  SignalTable& signals = run.robots[0].signals;
+  std::ranges::fill(signals.values, 0.5);
+  const auto said = [&] { return words_of(pictures_of(run, "Signals", Language::English).at(0)); };
+  for (const char* sign : {"no valid reading", "nothing in range", "too close"}) EXPECT_FALSE(said().contains(sign));
+  signals.values[3] = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(said().contains("nothing in range"));
+  EXPECT_FALSE(said().contains("too close"));
+  signals.values[3] = -signals.values[3];
+  EXPECT_TRUE(said().contains("too close"));
+  EXPECT_FALSE(said().contains("nothing in range"));
 }
 
 TEST(SignalPicture, SaysWhereThereWasNeverAReading) {

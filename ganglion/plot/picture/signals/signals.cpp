@@ -154,18 +154,45 @@ void draw_signal(Canvas& canvas, Vector2 corner, double width_px, const SignalTa
               Anchor::Middle, {.colour = Colour::hex(0x4b535d), .size_px = 11});
 }
 
-void draw_gap_legend(Canvas& canvas, Vector2 at, const Words& said) {
+/// Which readings a page has that are no numbers.
+struct Gaps {
+  bool missing = false, beyond = false, below = false;
+};
+
+Gaps gaps_of(const SignalTable& table, std::size_t first, std::size_t last) {
+  Gaps gaps;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    for (std::size_t column = first; column < last; ++column) {
+      const double value = table.at(row, column);
+      if (std::isfinite(value)) continue;
+      gaps.missing = gaps.missing || std::isnan(value);
+      gaps.beyond = gaps.beyond || value > 0;
+      gaps.below = gaps.below || value < 0;
+    }
+  }
+  gaps.missing = gaps.missing || table.rows() == 0;
+  return gaps;
+}
+
+/// Explains the signs that the page has.
+void draw_gap_legend(Canvas& canvas, Vector2 at, const Words& said, const Gaps& gaps) {
   const TextStyle small{.size_px = 11};
   const auto write = [&](WordOf word, double sample_px) {
     canvas.text(at + Vector2{sample_px, 0}, said.*word, Anchor::Start, small);
     at.x += sample_px + widest(canvas, word, small) + 24;
   };
-  canvas.rectangle(at - Vector2{0, 10}, {22, 13}, kGap);
-  write(&Words::no_reading, 28);
-  canvas.polygon(std::array{at + Vector2{5, -9}, at + Vector2{1, -1}, at + Vector2{9, -1}}, kMark);
-  write(&Words::nothing_in_range, 14);
-  canvas.polygon(std::array{at + Vector2{5, -1}, at + Vector2{1, -9}, at + Vector2{9, -9}}, kMark);
-  write(&Words::too_close, 14);
+  if (gaps.missing) {
+    canvas.rectangle(at - Vector2{0, 10}, {22, 13}, kGap);
+    write(&Words::no_reading, 28);
+  }
+  if (gaps.beyond) {
+    canvas.polygon(std::array{at + Vector2{5, -9}, at + Vector2{1, -1}, at + Vector2{9, -1}}, kMark);
+    write(&Words::nothing_in_range, 14);
+  }
+  if (gaps.below) {
+    canvas.polygon(std::array{at + Vector2{5, -1}, at + Vector2{1, -9}, at + Vector2{9, -9}}, kMark);
+    write(&Words::too_close, 14);
+  }
 }
 
 Picture page(const RobotView& robot, double duration_s, std::size_t first, std::size_t last, Language language) {
@@ -176,7 +203,7 @@ Picture page(const RobotView& robot, double duration_s, std::size_t first, std::
   std::string title = fmt::format("{}: {}{}", std::string_view(said.signals), robot.name, number);
   auto draw = [&robot, &said, duration_s, first, last, per_column, title](Canvas& canvas) {
     canvas.text({16, 26}, canvas.fitted(title, kPictureWidth_px - 40), Anchor::Start, {.size_px = 15, .bold = true});
-    draw_gap_legend(canvas, {16, 52}, said);
+    draw_gap_legend(canvas, {16, 52}, said, gaps_of(robot.signals, first, last));
     const double width_px = (kPictureWidth_px - 24) / 2;
     const double length_s = std::max(duration_s, 1e-3);
     for (std::size_t i = first; i < last; ++i) {
