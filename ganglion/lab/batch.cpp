@@ -4,6 +4,7 @@
 #include <atomic>
 #include <mutex>
 #include <new>
+#include <system_error>
 #include <thread>
 
 #include "ganglion/math/quantile.h"
@@ -77,7 +78,11 @@ Result<std::vector<Outcome>> carry_out_all(const Prepared& prepared, std::span<c
                                                  : std::max(1u, std::thread::hardware_concurrency());
   {
     std::vector<std::jthread> pool;
-    for (unsigned i = 0; i < threads; ++i) pool.emplace_back([&work] { work_through(work); });
+    try {
+      for (unsigned i = 0; i < threads; ++i) pool.emplace_back([&work] { work_through(work); });
+    } catch (const std::system_error&) {  // fewer threads do as well, be it this one
+      if (pool.empty()) work_through(work);
+    }
   }
   if (work.out_of_memory) throw std::bad_alloc();
   if (work.error) return tl::unexpected<Error>(*work.error);

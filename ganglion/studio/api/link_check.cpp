@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include "ganglion/base/denied.h"
 #include "ganglion/base/text.h"
 #include "ganglion/link/controller/examination.h"
 #include "ganglion/link/net/lines.h"
@@ -100,10 +101,14 @@ void LinkCheck::look_at_program() {
 }
 
 void LinkCheck::look() {
-  if (subject_.program.empty()) {
-    examine(subject_.address, 0, [this] { return stop_.load(); });
-  } else {
-    look_at_program();
+  try {
+    if (subject_.program.empty()) {
+      examine(subject_.address, 0, [this] { return stop_.load(); });
+    } else {
+      look_at_program();
+    }
+  } catch (...) {
+    find(false, denied().what);
   }
   finish();
 }

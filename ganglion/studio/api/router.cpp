@@ -1,4 +1,5 @@
 #include "ganglion/studio/api/router.h"
+#include "ganglion/base/denied.h"
 
 #include <new>
 
@@ -43,6 +44,8 @@ Reply Router::handle(const Call& call) const {
   } catch (const std::bad_alloc&) {
     return ask.refuse("TooLarge", say({"there is not enough memory for that", "no hay memoria suficiente para eso"}),
                       413);
+  } catch (const std::exception&) {  // a thread for a run or a look at a robot, say
+    return ask.refuse("TooLarge", denied().what, 503);
   }
 }
 

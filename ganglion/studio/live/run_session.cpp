@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ganglion/base/denied.h"
+
 namespace ganglion::studio {
 namespace {
 
@@ -167,7 +169,12 @@ void RunSession::carry_out() {
   lab::Keep keep;
   keep.run_file = plan_.run_file;
   keep.language = plan_.language;
-  conclude(lab::carry_out(*prepared_, job, keep, hooks));
+  try {
+    conclude(lab::carry_out(*prepared_, job, keep, hooks));
+  } catch (...) {  // memory, say: the run is lost, not the server
+    refuse_wishes();
+    conclude(tl::unexpected(denied()));
+  }
 }
 
 /// Waits for a command, at most until then. Whoever waits long stays in touch with robots that are elsewhere.

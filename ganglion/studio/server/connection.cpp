@@ -257,8 +257,10 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     if (!call.path.starts_with("/api/")) return send_asset(call.path);
     stream_.expires_never();  // the answer takes what it takes
     asio::post(core_.worker, [self = shared_from_this(), call = std::move(call)] {
-      Reply reply = self->core_.api->handle(call);
-      asio::post(self->core_.io, [self, reply = std::move(reply)]() mutable { self->send(std::move(reply)); });
+      unless_denied([&] {
+        Reply reply = self->core_.api->handle(call);
+        asio::post(self->core_.io, [self, reply = std::move(reply)]() mutable { self->send(std::move(reply)); });
+      });
     });
   }
 

@@ -41,6 +41,16 @@ class Connections {
   std::map<std::uint64_t, Entry> open_;  ///< By age.
 };
 
+/// Does something for one connection or for all. What memory, threads or descriptors are wanting for is left undone:
+/// one answer is lost, not the server.
+template <class Work>
+void unless_denied(Work&& work) noexcept {
+  try {
+    work();
+  } catch (...) {  // NOLINT(bugprone-empty-catch): there may be nothing left to say it with
+  }
+}
+
 /// What all connections share. Everything but `api` belongs to the thread that runs `io`; `api` to the worker.
 struct ServerCore {
   ServerCore(Assets page, std::string session) : assets(std::move(page)), hub(std::move(session)) {}

@@ -4,6 +4,7 @@
 #include <array>
 #include <boost/asio/post.hpp>
 
+#include "ganglion/base/denied.h"
 #include "ganglion/studio/server/core.h"
 
 namespace ganglion::studio {
@@ -51,12 +52,15 @@ struct Server::Core {
   void accept();
   void drain();
   void look();
+  /// Serves until it is stopped, whatever is denied on the way.
+  void serve() noexcept;
 
   ServerCore shared;
   tcp::acceptor acceptor{shared.io};
   asio::steady_timer retry{shared.io}, drain_timer{shared.io}, look_timer{shared.io};
   std::uint16_t port = 0;
   std::string host;
+  bool accepting = false, draining = false, looking = false;  // else nothing waits for it to go on
   std::thread thread;
 };
 
@@ -90,47 +94,63 @@ Result<void> Server::Core::listen(const ServerOptions& options) {
   return {};
 }
 
+void Server::Core::serve() noexcept {
+  while (!shared.io.stopped()) {
+    unless_denied([this] {
+      if (!accepting) accept();
+      if (!draining) drain();
+      if (!looking) look();
+      shared.io.run();
+    });
+  }
+}
+
 void Server::Core::accept() {
+  accepting = false;
   acceptor.async_accept([this](const boost::system::error_code& error, tcp::socket socket) {
     if (error == asio::error::operation_aborted) return;
+    accepting = false;
     if (error) {  // out of descriptors, say: that passes
       retry.expires_after(std::chrono::milliseconds(50));
       retry.async_wait([this](const boost::system::error_code& stopped) {
         if (!stopped) accept();
       });
+      accepting = true;
       return;
     }
-    serve_connection(shared, std::move(socket));
     accept();
+    serve_connection(shared, std::move(socket));
   });
+  accepting = true;
 }
 
 void Server::Core::drain() {
   drain_timer.expires_after(kDrainEvery);
   drain_timer.async_wait([this](const boost::system::error_code& stopped) {
+    draining = false;
     if (stopped) return;
-    shared.hub.drain();
+    unless_denied([this] { shared.hub.drain(); });
     drain();
   });
+  draining = true;
 }
 
 void Server::Core::look() {
   look_timer.expires_after(kLookEvery);
   look_timer.async_wait([this](const boost::system::error_code& stopped) {
+    looking = false;
     if (stopped) return;
-    asio::post(shared.worker, [this] { shared.api->look_for_changes(); });
+    asio::post(shared.worker, [this] { unless_denied([this] { shared.api->look_for_changes(); }); });
     look();
   });
+  looking = true;
 }
 
 Server::Server(std::unique_ptr<Core> core) : core_(std::move(core)) {
-  core_->accept();
-  core_->drain();
-  core_->look();
-  core_->thread = std::thread([core = core_.get()] { core->shared.io.run(); });
+  core_->thread = std::thread([core = core_.get()] { core->serve(); });
 }
 
-Result<std::unique_ptr<Server>> Server::start(const ServerOptions& options) {
+Result<std::unique_ptr<Server>> Server::start(const ServerOptions& options) try {
   auto folder = Folder::open(options.folder);
   if (!folder) return tl::unexpected<Error>(folder.error());
   Problems problems;
@@ -143,11 +163,15 @@ Result<std::unique_ptr<Server>> Server::start(const ServerOptions& options) {
                   fmt::format("ganglion_{}", core->port)};
   Api::Hooks hooks;
   hooks.on_hub = [&shared](std::function<void(Hub&)> what) {
-    asio::post(shared.io, [&shared, what = std::move(what)] { what(shared.hub); });
+    asio::post(shared.io, [&shared, what = std::move(what)] { unless_denied([&] { what(shared.hub); }); });
   };
-  hooks.later = [&shared](std::function<void()> what) { asio::post(shared.worker, std::move(what)); };
+  hooks.later = [&shared](std::function<void()> what) {
+    asio::post(shared.worker, [what = std::move(what)] { unless_denied(what); });
+  };
   shared.api = std::make_unique<Api>(std::move(*folder), std::move(programs), hooks);
   return std::unique_ptr<Server>(new Server(std::move(core)));
+} catch (const std::exception&) {  // no thread, no memory
+  return tl::unexpected(denied());
 }
 
 Server::~Server() {
@@ -163,14 +187,17 @@ const std::string& Server::token() const noexcept { return core_->shared.guard.t
 std::string Server::url() const { return fmt::format("http://{}:{}/?token={}", core_->host, core_->port, token()); }
 
 void Server::attach(std::shared_ptr<LiveFeed> feed, Json state) {
-  asio::post(core_->shared.io, [core = core_.get(), feed = std::move(feed)] { core->shared.hub.watch(feed); });
+  asio::post(core_->shared.io,
+             [core = core_.get(), feed = std::move(feed)] { unless_denied([&] { core->shared.hub.watch(feed); }); });
   tell_attached(std::move(state));
 }
 
 void Server::tell_attached(Json state) {
   state["attached"] = true;
-  asio::post(core_->shared.worker, [core = core_.get(), state] { core->shared.api->attach(state); });
-  asio::post(core_->shared.io, [core = core_.get(), state] { core->shared.hub.set_state(state); });
+  asio::post(core_->shared.worker,
+             [core = core_.get(), state] { unless_denied([&] { core->shared.api->attach(state); }); });
+  asio::post(core_->shared.io,
+             [core = core_.get(), state] { unless_denied([&] { core->shared.hub.set_state(state); }); });
 }
 
 }  // namespace ganglion::studio
