@@ -137,7 +137,8 @@ TEST_F(OneWriter, ComparesNoFolderOfMixedRuns) {
   };
   const auto compared = [&] {
     Child compare(folder_, {"runs", "compare", folder_ / "runs", "--out", folder_ / "page.html"});
-    return std::pair(compare.wait(), compare.err());
+    const int code = compare.wait();
+    return std::pair(code, compare.err());
   };
   carry_out("1", "run.duration_s=1");
   carry_out("2", "run.duration_s=1");
