@@ -56,7 +56,8 @@ void describe_channels(const SensorModel& sensor, const Sensor& device, Descript
   std::vector<double> broken(values);
   device.broken(broken);
   for (const PortDescriptor& port : sensor.kind->descriptor.ports) {
-    const Limits limits = device.limits(n++);
+    const Limits limits = device.limits(n);
+    const double turn = device.turn(n++);
     const double dead = broken[at];
     at += static_cast<std::size_t>(port.size);
     description.sensations.push_back({.name = sensor.id + "." + std::string(port.name),
@@ -66,7 +67,8 @@ void describe_channels(const SensorModel& sensor, const Sensor& device, Descript
                                       .min = limits.min,
                                       .max = limits.max,
                                       .period_s = sensor.period_s,
-                                      .dead = dead});
+                                      .dead = dead,
+                                      .turn = turn});
   }
   if (!description.body) return;
   Mount mount{sensor.id, std::string(sensor.kind->descriptor.name), sensor.mount};
