@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdlib>
+#include <optional>
 #include <regex>
 
 #include "ganglion/base/text.h"
@@ -50,6 +51,20 @@ std::string spanish(const CLI::Error& error) {
   return "no se entiende la línea de órdenes: " + words;
 }
 
+/// The word that stands where a subcommand should, where one is missing, and the subcommand that it may mean.
+std::optional<Sentence> unknown_command(const CLI::App* app, const CLI::Error& error) {
+  while (!app->get_subcommands().empty()) app = app->get_subcommands().front();
+  const std::vector<std::string> words = app->remaining();
+  if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::RequiredError) || words.empty()) return std::nullopt;
+  std::vector<std::string> names;
+  for (const CLI::App* command : app->get_subcommands([](const CLI::App*) { return true; })) {
+    names.push_back(command->get_name());
+  }
+  const std::string word = printable(words.front());
+  if (names.empty() || word.starts_with('-')) return std::nullopt;
+  return say({"there is no command \"{}\"{}", "no existe la orden \"{}\"{}"}, word, suggestion(word, names));
+}
+
 }  // namespace
 
 Language language() noexcept { return spoken_language; }
@@ -82,8 +97,10 @@ void offer_languages(CLI::App& app) {
 }
 
 std::string refusal(const CLI::App* app, const CLI::Error& error) {
-  if (language() == Language::English) return CLI::FailureMessage::simple(app, error);
-  return spanish(error) + "\nCon --help hay más información.\n";
+  const auto unknown = unknown_command(app, error);
+  if (language() == Language::Spanish)
+    return (unknown ? unknown->es : spanish(error)) + "\nCon --help hay más información.\n";
+  return unknown ? unknown->en + "\nRun with --help for more information.\n" : CLI::FailureMessage::simple(app, error);
 }
 
 }  // namespace ganglion

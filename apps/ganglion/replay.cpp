@@ -32,6 +32,7 @@ int replay_csv(const std::string& controller, const std::string& inputs, const s
   Problems problems;
   const auto text = replay_open_loop(controller, inputs, problems);
   if (!text) return complain(problems);
+  for (const Problems::Note& one : problems.notes()) note(one.text());
   if (const auto written = write_file(out, *text); !written) {
     complain(written.error());
     return kOutputFailed;

@@ -3,6 +3,7 @@
 #include "commands.h"
 #include "ganglion/link/net/lines.h"
 #include "ganglion/link/net/server.h"
+#include "ganglion/run/bounds.h"
 #include "ganglion/run/run_robots.h"
 #include "ganglion/run/version.h"
 #include "ganglion/sim/application/simulated_robots.h"
@@ -65,6 +66,8 @@ int sim_command(const SimArguments& arguments) {
   if (!problems.empty()) return complain(problems);
   const auto prepared = prepare(arguments.experiment, overrides, problems);
   if (!prepared) return complain(problems);
+  check_frames(*prepared, problems);
+  if (!problems.empty()) return complain(problems);
   return serve(*prepared, arguments);
 }
 

@@ -21,6 +21,9 @@ struct SensationChannel {
   double max = 0;
   double period_s = 0;                                     ///< Time between fresh readings; 0 = fresh in every frame.
   double dead = std::numeric_limits<double>::quiet_NaN();  ///< What it reads once the device is broken.
+  /// What a full turn counts, of a value that begins anew after it: 3600 of a bearing in tenths of a degree. 0: Circular
+  /// ones are angles in (-pi, pi], the others do not go round.
+  double turn = 0;
   int size() const noexcept { return elements.empty() ? 1 : static_cast<int>(elements.size()); }
 };
 

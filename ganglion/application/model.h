@@ -25,6 +25,11 @@ class ApplicationModel {
   virtual std::span<const std::string> tasks() const noexcept { return {}; }
   /// The ground, with nothing that moves; null where there is none.
   virtual const Terrain* terrain() const noexcept { return nullptr; }
+  /// Whether ticks of that length can be carried out. Fails with TooLarge, and the place of what asks for too much.
+  virtual Result<void> fits(double step_s) const {
+    static_cast<void>(step_s);
+    return {};
+  }
   /// To run in this program. Fails with Unsupported where it is only described, with BadParameter where its parts cannot
   /// be put together.
   virtual Result<std::unique_ptr<Application>> make() const = 0;

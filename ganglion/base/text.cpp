@@ -74,8 +74,9 @@ std::string shortest(double value) {
 
 std::optional<double> parse_number(std::string_view word) noexcept {
   if (word == "nan" || word == "NaN") return std::numeric_limits<double>::quiet_NaN();
-  if (word == "inf" || word == "+inf") return std::numeric_limits<double>::infinity();
-  if (word == "-inf") return -std::numeric_limits<double>::infinity();
+  if (word == "inf" || word == "+inf" || word == "Infinity" || word == "+Infinity")
+    return std::numeric_limits<double>::infinity();
+  if (word == "-inf" || word == "-Infinity") return -std::numeric_limits<double>::infinity();
   if (!word.empty() && word.front() == '+') word.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);

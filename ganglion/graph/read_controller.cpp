@@ -12,6 +12,8 @@ namespace {
 
 using config::Table;
 
+constexpr double kShortestTick_s = 1e-6;
+
 constexpr std::array kClasses = {ComponentClass::Sensation, ComponentClass::Sensing, ComponentClass::Goal,
                                  ComponentClass::Acting, ComponentClass::Coordinator};
 
@@ -358,6 +360,12 @@ ControllerModel read_controller(const config::Value& value, const KindList& kind
   model.name = root.text("name", "");
   model.robot = root.path("robot");
   model.tick_s = root.number("tick_s", 0, config::Range{0, 3600});
+  if (model.tick_s > 0 && model.tick_s < kShortestTick_s) {
+    root.problem("tick_s", ErrorCode::BadParameter,
+                 {"tick_s is {}, must be >= {}, or 0 for that of the robot",
+                  "tick_s es {}, debe ser >= {}, o 0 para el del robot"},
+                 shortest(model.tick_s), shortest(kShortestTick_s));
+  }
   root.known("layout");
   std::size_t bytes = 0;
   bool refused = false;  // the rest is not looked at, and not complained of

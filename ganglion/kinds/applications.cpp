@@ -1,5 +1,7 @@
 #include "ganglion/kinds/applications.h"
 
+#include <algorithm>
+
 #include "ganglion/config/outline_schema.h"
 #include "ganglion/kinds/kinds.h"
 #include "ganglion/plant/plant_application.h"
@@ -31,6 +33,14 @@ std::optional<Description> read_description(FileReader& files, int file, std::sp
 }
 
 void ask_application(config::Table& setting) { sim::RobotsModel::ask(setting); }
+
+bool is_world(const config::Value& root) {
+  static const std::list<config::Outline> outlines = sim::world_outlines();
+  const auto& keys = outlines.front().keys();  // every sample asks for all that may stand there
+  return std::any_of(keys.begin(), keys.end(), [&](const config::Outline::Key& key) {
+    return key.name != "format" && key.name != "name" && root.find(key.name) != nullptr;
+  });
+}
 
 void check_world(FileReader& files, int file, Problems& problems) {
   const auto before = problems.size();

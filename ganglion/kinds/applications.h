@@ -19,6 +19,9 @@ std::optional<Description> read_description(FileReader& files, int file, std::sp
 /// Asks for the keys that [application] of an experiment may have besides those of every application.
 void ask_application(config::Table& setting);
 
+/// Whether one of the keys that only a world.toml has stands there.
+bool is_world(const config::Value& root);
+
 /// A world.toml, or a map.yaml: every problem.
 void check_world(FileReader& files, int file, Problems& problems);
 

@@ -63,6 +63,14 @@ class CsvParser {
     if (!cells)
       return fail_at(place(1), ErrorCode::Syntax,
                      {"a quote is not closed on its line", "unas comillas no se cierran en su línea"});
+    for (const char other : {';', '\t'}) {
+      const std::size_t at = line.find(other);
+      if (cells->size() > 1 || at == std::string_view::npos) continue;
+      return fail_at(place(static_cast<int>(at) + 1), ErrorCode::Syntax,
+                     {"columns are separated by {} here; write commas between them, and points in numbers",
+                      "aquí las columnas se separan con {}; escriba comas entre ellas, y puntos en los números"},
+                     other == ';' ? Text{"semicolons", "puntos y comas"} : Text{"tabs", "tabuladores"});
+    }
     if (cells->size() > kMaxCsvColumns) {
       return fail_at(place(1), ErrorCode::TooLarge, {"{} columns; the limit is {}", "{} columnas; el límite es {}"},
                      cells->size(), kMaxCsvColumns);

@@ -50,6 +50,22 @@ TEST(Csv, SaysWhereItIsWrong) {
   EXPECT_EQ(where("\"time_s\n0"), "a.csv:1:1: a quote is not closed on its line");
 }
 
+TEST(Csv, TakesInfinityAsJsonSpellsIt) {
+  const auto csv = parse_csv("time_s,x,y\n0,Infinity,-Infinity\n1,+Infinity,NaN\n", "a.csv");
+  ASSERT_TRUE(csv) << csv.error().text();
+  EXPECT_EQ(csv->at(0, 1), INFINITY);
+  EXPECT_EQ(csv->at(0, 2), -INFINITY);
+  EXPECT_EQ(csv->at(1, 1), INFINITY);
+}
+
+TEST(Csv, SaysThatItWantsCommas) {
+  const auto said = [](std::string_view text) { return parse_csv(text, "a.csv").error().text(); };
+  EXPECT_EQ(said("time_s;x\n0;1\n"),
+            "a.csv:1:7: columns are separated by semicolons here; write commas between them, and points in numbers");
+  EXPECT_EQ(said("time_s;x\n0,1;2\n").substr(0, 51), "a.csv:1:7: columns are separated by semicolons here");
+  EXPECT_NE(said("time_s\tx\n0\t1\n").find("separated by tabs"), std::string::npos);
+}
+
 TEST(Csv, LimitsItsColumns) {
   std::string names = "a0";
   for (std::size_t i = 1; i <= kMaxCsvColumns; ++i) names += ",a" + std::to_string(i);

@@ -3,31 +3,13 @@
 #include <array>
 
 #include "ganglion/kinds/applications.h"
+#include "ganglion/run/near_file.h"
 #include "ganglion/run/run.h"
 
 namespace ganglion {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// What the top-level keys of a file tell it to be.
-std::string kind_of(const config::Value& root) {
-  for (const char* key : {"application", "run", "success"}) {
-    if (root.find(key) != nullptr) return "experiment";
-  }
-  for (const char* key : {"acting", "sensing", "goal", "coordinator"}) {
-    if (root.find(key) != nullptr) return "controller";
-  }
-  for (const char* key : {"body", "drive", "sensor", "energy", "command"}) {
-    if (root.find(key) != nullptr) return "robot";
-  }
-  for (const char* key : {"wall", "box", "disc", "polygon", "mover", "spawn", "map"}) {
-    if (root.find(key) != nullptr) return "world";
-  }
-  if (root.find("controller") != nullptr) return "experiment";
-  if (root.find("sensation") != nullptr) return "controller";
-  return root.find("kind") != nullptr ? "plant" : "";
-}
 
 /// All files are read, and if they are sound a run is begun on trial: what it would be refused for is told now.
 void check_experiment(FileReader& files, const fs::path& file, Problems& problems) {
@@ -42,6 +24,22 @@ void check_experiment(FileReader& files, const fs::path& file, Problems& problem
 
 }  // namespace
 
+std::string kind_of_file(const config::Value& root) {
+  for (const char* key : {"application", "run", "success"}) {
+    if (root.find(key) != nullptr) return "experiment";
+  }
+  for (const char* key : {"acting", "sensing", "goal", "coordinator"}) {
+    if (root.find(key) != nullptr) return "controller";
+  }
+  for (const char* key : {"body", "drive", "sensor", "energy", "command"}) {
+    if (root.find(key) != nullptr) return "robot";
+  }
+  if (is_world(root)) return "world";
+  if (root.find("controller") != nullptr) return "experiment";
+  if (root.find("sensation") != nullptr) return "controller";
+  return root.find("kind") != nullptr ? "plant" : "";
+}
+
 std::string check_file(const fs::path& given, Problems& problems) {
   std::error_code ignored;
   const fs::path file = fs::is_directory(given, ignored) ? given / "experiment.toml" : given;
@@ -53,10 +51,10 @@ std::string check_file(const fs::path& given, Problems& problems) {
   }
   const auto root = opened ? config::parse(files.at(*opened)) : tl::unexpected<Error>(opened.error());
   if (!root) {
-    problems.add(root.error());
+    problems.add(opened ? root.error() : with_nearest(root.error(), file));
     return "";
   }
-  const std::string kind = kind_of(*root);
+  const std::string kind = kind_of_file(*root);
   if (kind == "experiment") {
     check_experiment(files, file, problems);
   } else if (kind == "controller") {

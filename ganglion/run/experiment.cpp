@@ -10,6 +10,7 @@
 #include "ganglion/base/text.h"
 #include "ganglion/kinds/applications.h"
 #include "ganglion/link/net/address.h"
+#include "ganglion/run/near_file.h"
 
 namespace ganglion {
 namespace {
@@ -115,6 +116,7 @@ void read_application(Table application, Experiment& experiment, NamedFiles& nam
   experiment.opened.robot = named.open(application, "robot", &ExperimentFiles::robot, experiment);
   experiment.opened.world = named.open(application, "world", &ExperimentFiles::world, experiment);
   experiment.robots = application.integer("robots", 1, config::Range{1, 10'000});
+  experiment.places.robots = application.place("robots");
   experiment.link = read_link(application);
   if (!opens) return ask_application(application);  // nobody will read on
   for (const std::string& key : application.keys()) application.known(key);
@@ -125,6 +127,8 @@ void read_run(Table run, Experiment& experiment) {
   experiment.seed = static_cast<std::uint64_t>(run.integer("seed", 1, config::kNotNegative));
   experiment.maps_every_s = run.number("maps_every_s", experiment.maps_every_s, config::kNotNegative);
   experiment.free_ground = run.boolean("free_ground", false);
+  experiment.places.duration = run.place("duration_s");
+  experiment.places.free_ground = run.place("free_ground");
   experiment.stop = read_criteria(run, "stop");
 }
 
@@ -218,7 +222,7 @@ Experiment read_experiment(FileReader& files, const std::filesystem::path& given
   const auto file = files.open("experiment", experiment.files.experiment.string(), -1, config::kMaxBytes);
   auto root = file ? config::parse(files.at(*file)) : tl::unexpected<Error>(file.error());
   if (!root) {
-    problems.add(root.error());
+    problems.add(file ? root.error() : with_nearest(root.error(), given));
     return experiment;
   }
   experiment.opened.experiment = *file;

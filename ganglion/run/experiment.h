@@ -47,8 +47,11 @@ struct Experiment {
   LinkChoice link;
   double duration_s = 60;
   std::uint64_t seed = 1;
-  double maps_every_s = 1;         ///< How often maps are recorded while they change.
-  bool free_ground = false;        ///< Drive the same run on open ground first, to measure progress_ratio against it.
+  double maps_every_s = 1;   ///< How often maps are recorded while they change.
+  bool free_ground = false;  ///< Drive the same run on open ground first, to measure progress_ratio against it.
+  struct {
+    Place duration, free_ground, robots;
+  } places;                        ///< Where these stand, or would.
   std::vector<Fault> faults;       ///< Of every robot, in their order.
   std::vector<Criterion> success;  ///< All must be met.
   std::vector<Criterion> stop;     ///< Any ends the run early.

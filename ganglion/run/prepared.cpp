@@ -5,11 +5,14 @@
 #include "ganglion/graph/order.h"
 #include "ganglion/kinds/applications.h"
 #include "ganglion/kinds/kinds.h"
+#include "ganglion/run/bounds.h"
 #include "ganglion/run/controller_hash.h"
 #include "ganglion/run/measure_list.h"
 
 namespace ganglion {
 namespace {
+
+constexpr double kLongTick_s = 1;  // of something that drives
 
 /// The robot a controller was drawn for; -1, and reported, where it names none that is there.
 int robot_named_by(const config::Value& controller, FileReader& files, Problems& problems) {
@@ -139,6 +142,12 @@ std::optional<ControllerModel> load_controller(FileReader& files, int controller
     if (!own) return std::nullopt;
     robot = &*own;
   }
+  if (robot->body && !robot->commands.empty() && model.tick_s > kLongTick_s) {
+    const config::Value* tick = root->find("tick_s");
+    problems.note(tick->place(), say({"tick_s is {}: a robot drives so long on one look at its sensors",
+                                      "tick_s es {}: un robot avanza ese tiempo con una sola lectura de sus sensores"},
+                                     shortest(model.tick_s) + " s"));
+  }
   resolve(model, *robot, problems);
   order(model, problems);
   if (!problems.empty()) return std::nullopt;
@@ -169,6 +178,8 @@ std::optional<Prepared> prepare(FileReader& files, const std::filesystem::path& 
   }
   if (!problems.empty() || !model) return std::nullopt;
   prepared.controller = std::move(*model);
+  check_bounds(prepared, problems);
+  if (!problems.empty()) return std::nullopt;
   try_controller(prepared, problems);
   prepared.figures = figures_in(prepared.scope());
   check_criteria(prepared, problems);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "ganglion/base/text.h"
@@ -95,8 +96,48 @@ class Winner {
 /// Time until the next row; of the last row that of the one before, of a single row the controller's own.
 double step_at(const Csv& csv, std::size_t time, std::size_t row, double preset_s) {
   const std::size_t from = row + 1 < csv.rows() ? row : row - std::min<std::size_t>(row, 1);
-  const double step_s = from + 1 < csv.rows() ? csv.at(from + 1, time) - csv.at(from, time) : preset_s;
-  return step_s > 0 ? step_s : preset_s;
+  return from + 1 < csv.rows() ? csv.at(from + 1, time) - csv.at(from, time) : preset_s;
+}
+
+double own_step_s(const ControllerModel& model, const Description& robot) noexcept {
+  return model.tick_s > 0 ? model.tick_s : robot.tick_s;
+}
+
+constexpr double kFarFrom = 10;  // times as long or short as the controller's own
+
+/// Times grow from row to row: of one that does not all that follows would be worth nothing.
+void check_times(const Csv& csv, const std::string& file, double tick_s, Problems& problems) {
+  const std::size_t time = *csv.column("time_s");
+  std::vector<double> steps_s;
+  for (std::size_t row = 0; row < csv.rows(); ++row) {
+    const double now_s = csv.at(row, time),
+                 before_s = row > 0 ? csv.at(row - 1, time) : -std::numeric_limits<double>::infinity();
+    const Place place{file, static_cast<int>(row) + 2, 1};
+    if (!std::isfinite(now_s)) {
+      return problems.add(place, ErrorCode::BadParameter,
+                          {"time_s is {}, must be a finite number", "time_s es {}, debe ser un número finito"},
+                          shortest(now_s));
+    }
+    if (!(now_s > before_s)) {
+      return problems.add(place, ErrorCode::BadParameter,
+                          {"time_s is {}, must be after {} of the line before: times must grow",
+                           "time_s es {}, debe ser posterior a {} de la línea anterior: los tiempos deben crecer"},
+                          shortest(now_s), shortest(before_s));
+    }
+    if (row > 0) steps_s.push_back(now_s - before_s);
+  }
+  if (steps_s.empty()) return;
+  const auto middle = steps_s.begin() + static_cast<std::ptrdiff_t>(steps_s.size() / 2);
+  std::nth_element(steps_s.begin(), middle, steps_s.end());
+  if (*middle<tick_s * kFarFrom&& * middle> tick_s / kFarFrom) return;
+  const Text unit = *middle < 1e5 * tick_s   ? Text{"milliseconds", "milisegundos"}
+                    : *middle < 1e8 * tick_s ? Text{"microseconds", "microsegundos"}
+                                             : Text{"nanoseconds", "nanosegundos"};
+  const Sentence far = say({"the steps of time_s are about {}, the controller's own is {}",
+                            "los pasos de time_s son de unos {}, el del controlador es de {}"},
+                           fmt::format("{:.3g} s", *middle), shortest(tick_s) + " s");
+  const Sentence asked = *middle > tick_s ? say({"{}: are these {}?", "{}: ¿son {}?"}, far, unit) : far;
+  problems.note({file, 2, 1}, asked);
 }
 
 std::string play(Controller& controller, const ControllerModel& model, const Description& robot, const Csv& csv,
@@ -109,7 +150,7 @@ std::string play(Controller& controller, const ControllerModel& model, const Des
   }
   const std::size_t time = *csv.column("time_s");
   const auto cost = csv.column("cost");
-  const double preset_s = model.tick_s > 0 ? model.tick_s : robot.tick_s;
+  const double preset_s = own_step_s(model, robot);
   std::string text = header_of(model, robot);
   for (std::size_t row = 0; row < csv.rows(); ++row) {
     sense.tick = static_cast<std::uint32_t>(row);
@@ -155,6 +196,8 @@ Result<std::string> replay_open_loop(const std::filesystem::path& path, const st
   resolve(model, *robot, problems);
   if (!problems.empty()) return bad();
   const auto feeds = feeds_of(model, *robot, *csv, inputs.string(), problems);
+  if (!problems.empty()) return bad();
+  check_times(*csv, inputs.string(), own_step_s(model, *robot), problems);
   if (!problems.empty()) return bad();
   auto controller = Controller::compile(model, *robot, controller_kinds(), {});
   if (!controller) {

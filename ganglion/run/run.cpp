@@ -8,6 +8,7 @@
 
 #include "ganglion/application/fault/faulty_application.h"
 #include "ganglion/kinds/kinds.h"
+#include "ganglion/run/bounds.h"
 #include "ganglion/run/handing_over.h"
 #include "ganglion/run/measure_list.h"
 #include "ganglion/run/recording.h"
@@ -164,10 +165,6 @@ Result<Course> make_course(const Prepared& prepared, const RunOptions& options, 
   return Course(prepared, std::move(*robots), std::move(*faulty), std::move(*controllers));
 }
 
-std::uint32_t ticks_of(const Prepared& prepared) {
-  return static_cast<std::uint32_t>(std::max(1.0, std::round(prepared.experiment.duration_s / prepared.step_s)));
-}
-
 /// The truth of robot 0 where the same application, faults included, begins as this one and nothing stands in its way;
 /// nothing where it is not asked for, or there is no such.
 Result<std::optional<Unhindered>> unhindered_of(const Prepared& prepared, const RunOptions& options,
@@ -179,7 +176,7 @@ Result<std::optional<Unhindered>> unhindered_of(const Prepared& prepared, const 
   auto other = make_course(prepared, options, RunRobots::make_here(std::move(*application)));
   if (!other) return tl::unexpected<Error>(other.error());
   Unhindered free{.channels = other->witness()->truth_channels().size()};
-  const std::uint32_t ticks = ticks_of(prepared);
+  const auto ticks = static_cast<std::uint32_t>(ticks_of(prepared));
   for (std::uint32_t tick = 0; tick < ticks; ++tick) {
     other->decide();
     other->act();
@@ -283,7 +280,7 @@ Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
   const bool begins = !options.armed || options.armed();
   if (!begins) result.reason = say({"{}", "{}"}, kInterrupted);
   const Pace pace(options.pace, in_touch);
-  const std::uint32_t ticks = begins ? ticks_of(prepared) : 0;
+  const auto ticks = static_cast<std::uint32_t>(begins ? ticks_of(prepared) : 0);
   HandingOver handing_over(options.keeper, *course->controllers().front());
   const StopRules stop(prepared.experiment.stop);
   for (std::uint32_t tick = 0; tick < ticks; ++tick) {

@@ -230,3 +230,22 @@ call(0 replay experiments/nimrod/controller.listing.toml --inputs ${WORK}/in.csv
 file(READ ${WORK}/out.csv table)
 # u = 3 * 20 cm / 1200 = 0.05 turns right; the dead sonar reads 0 and escapes, back at 200 / 1200.
 expect("${table}" "time_s,drive.left,drive.right,arbiter.active\n.*1.6,0.05,-0.05,avoid\n3.2,-0.16666666666666666,-0.16666666666666666,escape\n$")
+
+# What is not there comes with the nearest name.
+call(2 chek experiments/nimrod)
+expect("${err}" "there is no command \"chek\"; did you mean \"check\"")
+call(2 runs lst)
+expect("${err}" "there is no command \"lst\"; did you mean \"list\"")
+call(2 run nimord)
+expect("${err}" "nimord: there is no such file; did you mean \"experiments/nimrod\"")
+call(2 chek --language es)
+expect("${err}" "no existe la orden \"chek\"; .quiso decir \"check\"|no existe la orden \"chek\"")
+
+# Every page of help ends with examples of its own.
+foreach(command run sim proxy check format kinds doctor replay plot runs experience schema "runs list" "runs csv" "runs show"
+        "runs signals" "runs recover" "runs digests" "runs verify" "runs compare" "experience show" "experience rename"
+        "experience forget")
+  separate_arguments(words UNIX_COMMAND "${command}")
+  call(0 ${words} --help)
+  expect("${out}" "Examples?:.*  ?ganglion ${command}")
+endforeach()

@@ -13,24 +13,32 @@ namespace {
 constexpr double kTimeTolerance_s = 1e-7;  // sums of steps differ from what was written by rounding
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
+/// The same direction in [from, from + turn); from 0 on where there is no lowest value.
+double within_turn(double value, double min, double turn) noexcept {
+  const double from = std::isfinite(min) ? min : 0;
+  const double wrapped = value - turn * std::floor((value - from) / turn);
+  return wrapped >= from + turn ? from : wrapped;  // a hair below `from`, rounded
+}
+
 }  // namespace
 
 FaultPlan::FaultPlan(const Fault& of, FaultSite at, const Description& robot, double step)
     : fault(of), site(std::move(at)), step_s(step) {
-  const auto one = [&](double one_dead, double one_min, double one_max, bool one_circular) {
+  const auto one = [&](double one_dead, double one_min, double one_max, ValueType type, double one_turn) {
     dead.push_back(one_dead);
     min.push_back(one_min);
     max.push_back(one_max);
-    circular.push_back(one_circular ? 1 : 0);
+    circular.push_back(type == ValueType::Circular ? 1 : 0);
+    discrete.push_back(type == ValueType::Discrete ? 1 : 0);
+    turn.push_back(one_turn);
   };
   for (std::size_t c = 0; site.commands ? c < robot.commands.size() : c < robot.sensations.size(); ++c) {
     if (site.commands) {
       for (const CommandElement& element : robot.commands[c].elements)
-        one(element.safe, element.min, element.max, false);
+        one(element.safe, element.min, element.max, ValueType::Real, 0);
     } else {
       const SensationChannel& channel = robot.sensations[c];
-      for (int n = 0; n < channel.size(); ++n)
-        one(channel.dead, channel.min, channel.max, channel.type == ValueType::Circular);
+      for (int n = 0; n < channel.size(); ++n) one(channel.dead, channel.min, channel.max, channel.type, channel.turn);
     }
   }
   if (fault.kind == FaultKind::Late) depth = std::max(1.0, std::round(fault.amount / step_s));
@@ -69,7 +77,12 @@ bool FaultAtWork::active(double time_s) const noexcept {
 
 double FaultAtWork::bounded(std::size_t n, double value) const noexcept {
   const std::size_t at = plan_->site.values[n];
-  if (plan_->circular[at] != 0) value = Angle::from_rad(value).wrapped().rad();
+  if (plan_->turn[at] > 0) {
+    if (plan_->discrete[at] != 0) value = std::floor(value + 0.5);
+    value = within_turn(value, plan_->min[at], plan_->turn[at]);
+  } else if (plan_->circular[at] != 0) {
+    value = Angle::from_rad(value).wrapped().rad();
+  }
   return plan_->min[at] < plan_->max[at] ? std::clamp(value, plan_->min[at], plan_->max[at]) : value;
 }
 

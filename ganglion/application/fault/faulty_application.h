@@ -18,8 +18,9 @@ struct FaultPlan {
   FaultSite site;
   double step_s;
   std::vector<double> dead, min, max;  ///< Of every value of a frame.
-  std::vector<char> circular;
-  double depth = 0;  ///< Late: ticks of delay.
+  std::vector<char> circular, discrete;
+  std::vector<double> turn;  ///< Of those that go round by another number than 2 pi; else 0.
+  double depth = 0;          ///< Late: ticks of delay.
   /// What one robot needs to remember for it; a double: absurd delays are refused by what this says.
   double bytes_each() const noexcept;
 };

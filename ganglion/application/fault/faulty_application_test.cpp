@@ -105,6 +105,52 @@ TEST(FaultyApplication, AddsABiasWithinTheLimitsAndRoundTheCircle) {
   EXPECT_NEAR(seen.sensed[1].values[2], 4 - 2 * kPi, 1e-12);
 }
 
+/// A reading of a robot's only channel after a fault.
+double spoilt(const SensationChannel& channel, const Fault& what, double value, std::uint32_t tick = 0) {
+  Description robot;
+  robot.sensations = {channel};
+  const auto plans = plan_faults({what}, robot, 1, 0.1);
+  EXPECT_TRUE(plans) << plans.error().text();
+  FaultAtWork work(plans->front());
+  work.reset(1, 0, 0);
+  std::vector<double> values = {value}, ages_s = {0};
+  work.spoil(values, ages_s, tick, 0.1 * tick);
+  return values[0];
+}
+
+const SensationChannel kBearing = {
+    .name = "c.bearing", .type = ValueType::Discrete, .elements = {}, .min = 0, .max = 3599, .turn = 3600};
+
+TEST(FaultyApplication, GoesRoundByWhatAFullTurnCounts) {
+  const auto biased = [](double amount) { return fault("c.bearing", FaultKind::Biased, amount); };
+  EXPECT_EQ(spoilt(kBearing, biased(300), 3590), 290);
+  EXPECT_EQ(spoilt(kBearing, biased(-300), 10), 3310);
+  EXPECT_EQ(spoilt(kBearing, biased(10), 3590), 0);
+  EXPECT_EQ(spoilt(kBearing, biased(7211), 3590), 1);
+  const SensationChannel longitude = {
+      .name = "c.bearing", .unit = "deg", .elements = {}, .min = -180, .max = 180, .turn = 360};
+  EXPECT_NEAR(spoilt(longitude, biased(0.5), 179.75), -179.75, 1e-9);
+  EXPECT_NEAR(spoilt(longitude, biased(-0.5), -179.75), 179.75, 1e-9);
+  SensationChannel heading = longitude;
+  heading.type = ValueType::Circular;
+  heading.min = -INFINITY;
+  heading.max = INFINITY;
+  EXPECT_NEAR(spoilt(heading, biased(30), 350), 20, 1e-9) << "degrees of a robot elsewhere, not radians";
+}
+
+TEST(FaultyApplication, AddsNoiseAcrossNorth) {
+  const Fault noisy = fault("c.bearing", FaultKind::Noisy, 50);
+  int east = 0, west = 0;
+  for (std::uint32_t tick = 0; tick < 1000; ++tick) {
+    const double bearing = spoilt(kBearing, noisy, 0, tick);
+    EXPECT_EQ(bearing, std::floor(bearing));
+    EXPECT_TRUE(bearing >= 0 && bearing < 3600) << bearing;
+    ++(bearing < 1800 ? east : west);
+  }
+  EXPECT_NEAR(east, 504, 80);  // half of them, and those that round to 0; a standard error is 16
+  EXPECT_NEAR(west, 496, 80);
+}
+
 TEST(FaultyApplication, AddsNoiseOfTheStatedDeviation) {
   Fault noisy = fault("b.range", FaultKind::Noisy, 0.05);
   const int count = 100;  // b reads 1.00 to 1.99: no limit is near

@@ -2,7 +2,67 @@
 
 #include <algorithm>
 
+#include "ganglion/config/value.h"
+
 namespace ganglion::config {
+namespace {
+
+/// The same to whoever reads the file: 0.10 is 0.1, and 1 is 1.0.
+bool same(const Value& a, const Value& b) {
+  const auto number = [](const Value& value) -> std::optional<double> {
+    if (value.integer() != nullptr) return static_cast<double>(*value.integer());
+    return value.real() != nullptr ? std::optional(*value.real()) : std::nullopt;
+  };
+  if (number(a) && number(b)) return *number(a) == *number(b);
+  if (a.array() == nullptr || b.array() == nullptr) return equal(a, b);
+  return std::equal(a.array()->begin(), a.array()->end(), b.array()->begin(), b.array()->end(),
+                    [](const Value& one, const Value& other) { return same(one, other); });
+}
+
+bool same_toml(std::string_view a, std::string_view b) {
+  const auto read = [](std::string_view toml) { return parse("v = " + std::string(toml), ""); };
+  const auto one = read(a), other = read(b);
+  return one && other && one->find("v") != nullptr && other->find("v") != nullptr &&
+         same(*one->find("v"), *other->find("v"));
+}
+
+/// With a carriage return before every line feed that has none.
+std::string with_returns(std::string_view text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\n' && (i == 0 || text[i - 1] != '\r')) result += '\r';
+    result += text[i];
+  }
+  return result;
+}
+
+bool is_blank(char c) noexcept { return c == ' ' || c == '\t'; }
+
+}  // namespace
+
+Sheet::Sheet(std::string text, std::span<const std::string_view> lists) : text_(std::move(text)), lists_(lists) {
+  const std::size_t end = text_.find('\n');
+  crlf_ = end != std::string::npos && end > 0 && text_[end - 1] == '\r';
+  look();
+}
+
+Region Sheet::key_of(const MemberSource& member) const noexcept {
+  std::size_t begin = member.lines.begin, end = member.value.begin;
+  while (begin < end && is_blank(text_[begin])) ++begin;
+  while (end > begin && is_blank(text_[end - 1])) --end;
+  if (end > begin && text_[end - 1] == '=') --end;
+  while (end > begin && is_blank(text_[end - 1])) --end;
+  return {begin, end};
+}
+
+/// As its last line of its own is indented.
+std::string Sheet::indent_of(const SectionSource& section) const {
+  if (section.members.empty()) return "";
+  const std::size_t begin = section.members.back().lines.begin;
+  std::size_t end = begin;
+  while (end < text_.size() && is_blank(text_[end])) ++end;
+  return text_.substr(begin, end - begin);
+}
 
 void Sheet::look() {
   map_ = map_source(text_);
@@ -71,9 +131,12 @@ void Sheet::commit() {
   text.reserve(text_.size() + 256);
   std::size_t at = 0;
   for (const Change& change : changes_) {
-    if (change.region.begin < at) continue;  // lies in what is gone already
+    if (change.region.begin < at) {  // begins in what is gone already
+      at = std::max(at, change.region.end);
+      continue;
+    }
     text.append(text_, at, change.region.begin - at);
-    text += change.by;
+    text += crlf_ ? with_returns(change.by) : change.by;
     at = change.region.end;
   }
   text.append(text_, at);
@@ -84,7 +147,8 @@ void Sheet::commit() {
 
 void Sheet::set(std::string_view id, const std::string& key, const std::string& toml) {
   if (const auto found = member(id, key)) {
-    replace(found->member->value, toml);
+    const Region value = found->member->value;
+    if (!same_toml(value.of(text_), toml)) replace(value, toml);
     return;
   }
   const ItemSource* item = find(id);
@@ -101,7 +165,7 @@ void Sheet::set(std::string_view id, const std::string& key, const std::string& 
   }
   const std::size_t at = map_.sections[section].body_end;
   const bool open_line = at > 0 && text_[at - 1] != '\n';
-  insert(at, fmt::format("{}{} = {}\n", open_line ? "\n" : "", rest, toml));
+  insert(at, fmt::format("{}{}{} = {}\n", open_line ? "\n" : "", indent_of(map_.sections[section]), rest, toml));
 }
 
 void Sheet::erase(std::string_view, const Found& found) { replace(found.member->lines, ""); }

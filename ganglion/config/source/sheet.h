@@ -16,7 +16,8 @@ namespace ganglion::config {
 class Sheet {
  public:
   /// Items are those of the lists, whose names must outlive the sheet.
-  Sheet(std::string text, std::span<const std::string_view> lists) : text_(std::move(text)), lists_(lists) { look(); }
+  /// Lines that are written end as the first one of the text does.
+  Sheet(std::string text, std::span<const std::string_view> lists);
 
   const std::string& text() const noexcept { return text_; }
   const SourceMap& map() const noexcept { return map_; }
@@ -46,12 +47,15 @@ class Sheet {
   /// What stands in a table of that name, of every item: of "in" the members whose whole key is "in.*".
   std::vector<Entry> entries(std::string_view table) const;
 
-  /// Notes a change; nothing moves until commit(). Regions must not overlap.
+  /// The key of a member as it is written, dots and quotes included.
+  Region key_of(const MemberSource& member) const noexcept;
+
+  /// Notes a change; nothing moves until commit(). Regions must not overlap. Line ends are given as line feeds.
   void replace(Region region, std::string by) { changes_.push_back({region, std::move(by)}); }
   void insert(std::size_t at, std::string what) { replace({at, at}, std::move(what)); }
   void commit();
 
-  /// Notes: the member has this value, made where it is missing.
+  /// Notes: the member has this value, made where it is missing. One that says the same in other words stays as it is.
   void set(std::string_view id, const std::string& key, const std::string& toml);
   /// Notes: the member is gone, with its line and the comment on it.
   void erase(std::string_view id, const Found& found);
@@ -64,8 +68,10 @@ class Sheet {
     std::string by;
   };
   void look();
+  std::string indent_of(const SectionSource& section) const;
 
   std::string text_;
+  bool crlf_ = false;
   std::span<const std::string_view> lists_;
   SourceMap map_;
   std::vector<ItemSource> items_;

@@ -1,8 +1,10 @@
 #include "ganglion/sim/application/simulated_robots.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "ganglion/base/text.h"
 #include "ganglion/sim/world/scene.h"
 #include "ganglion/task/tasked_application.h"
 
@@ -45,6 +47,8 @@ std::shared_ptr<const ApplicationModel> RobotsModel::read(const ApplicationSourc
   auto model = std::make_shared<RobotsModel>();
   model->robot_ = read_robot(source.file, kinds, problems, source.files, source.outline);
   model->robots_ = source.robots;
+  const config::Value* substep = source.file.find("substep_s");
+  model->substep_place_ = substep != nullptr ? substep->place() : Place{source.file.place().file, 1, 1};
   if (model->robot_ != nullptr) {
     model->ledgers_ = ledgers_of(model->robot_->tasks);
     model->task_ids_ = ids_of(model->robot_->tasks);
@@ -64,6 +68,17 @@ std::shared_ptr<const ApplicationModel> RobotsModel::read(const ApplicationSourc
 
 std::span<const TruthChannel> RobotsModel::truth() const noexcept {
   return robot_->simulated() ? truth_channels() : std::span<const TruthChannel>();
+}
+
+Result<void> RobotsModel::fits(double step_s) const {
+  if (!robot_->simulated()) return {};
+  const double each = std::max(1.0, std::ceil(step_s / robot_->substep_s));
+  if (each * robots_ <= kMostSubsteps) return {};
+  return fail_at(substep_place_, ErrorCode::TooLarge,
+                 {"a tick of {} s in sub-steps of at most {} s are {:.0f} for {} robot{}; the limit is {:.0f}",
+                  "un ciclo de {} s en subpasos de {} s como máximo son {:.0f} para {} robot{}; el límite es {:.0f}"},
+                 shortest(step_s), shortest(robot_->substep_s), each * robots_, robots_, robots_ == 1 ? "" : "s",
+                 kMostSubsteps);
 }
 
 Result<std::unique_ptr<Application>> RobotsModel::make(std::shared_ptr<const Ground> ground, SpawnRule spawn) const {

@@ -7,6 +7,9 @@
 
 namespace ganglion::sim {
 
+/// Of all robots in one tick, about a second of work: a run is looked at, and can be ended, between ticks.
+inline constexpr double kMostSubsteps = 1e6;
+
 /// Robots as a robot.toml states them, on the ground that [application] names: simulated ones, or such as are only
 /// described (no [drive]) and drive elsewhere.
 class RobotsModel final : public ApplicationModel {
@@ -22,6 +25,8 @@ class RobotsModel final : public ApplicationModel {
   std::span<const LedgerForm> ledgers() const noexcept override { return ledgers_; }
   std::span<const std::string> tasks() const noexcept override { return task_ids_; }
   const Terrain* terrain() const noexcept override { return terrain_.get(); }
+  /// TooLarge, at substep_s, above kMostSubsteps.
+  Result<void> fits(double step_s) const override;
   Result<std::unique_ptr<Application>> make() const override { return make(ground_, spawn_); }
   /// On open ground, from the same poses.
   Result<std::unique_ptr<Application>> unhindered(const Application& other) const override;
@@ -38,6 +43,7 @@ class RobotsModel final : public ApplicationModel {
   std::shared_ptr<const Ground> ground_;  // null where only a description was wanted
   std::unique_ptr<const GroundTerrain> terrain_;
   SpawnRule spawn_ = SpawnRandom{};
+  Place substep_place_;
   int robots_ = 1;
 };
 

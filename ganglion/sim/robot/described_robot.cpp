@@ -1,4 +1,5 @@
 #include <array>
+#include <cmath>
 
 #include "ganglion/base/text.h"
 #include "ganglion/module/tick/command.h"
@@ -11,6 +12,23 @@ using config::Range;
 using config::Table;
 
 constexpr std::array<std::string_view, 3> kTypes = {"real", "discrete", "circular"};
+
+/// A bearing in degrees or counts says what a turn of it is; one that is circular without is an angle in radians.
+void read_turn(Table& table, SensationChannel& channel) {
+  channel.turn = table.number("turn", 0, config::kNotNegative);
+  const bool limited = std::isfinite(channel.max - channel.min);
+  if (channel.turn > 0 && limited && channel.max - channel.min > channel.turn) {
+    table.problem("turn", ErrorCode::BadParameter,
+                  {"turn is {}, must be >= max - min = {}", "turn es {}, debe ser >= max - min = {}"},
+                  shortest(channel.turn), shortest(channel.max - channel.min));
+  }
+  if (channel.turn > 0 || channel.type != ValueType::Circular || channel.unit.empty() || channel.unit == "rad") return;
+  table.note(
+      "type",
+      {"a circular value in {} is taken for an angle in radians: write turn = 360, or what else a full turn counts",
+       "un valor circular en {} se toma por un ángulo en radianes: escriba turn = 360, o lo que valga una vuelta"},
+      channel.unit);
+}
 
 void read_sensation(Table& table, std::vector<std::string>& names, Description& description) {
   SensationChannel channel;
@@ -28,6 +46,7 @@ void read_sensation(Table& table, std::vector<std::string>& names, Description& 
                   shortest(channel.max), shortest(channel.min));
   }
   channel.period_s = table.number("period_s", 0, config::kNotNegative);
+  read_turn(table, channel);
   Mount mount{.device = channel.name};
   mount.pose = {{table.number("x_m", 0), table.number("y_m", 0)},
                 Angle::from_deg(table.number("yaw_deg", 0, Range{-360, 360})).wrapped()};

@@ -15,6 +15,8 @@ using config::Range;
 using config::Table;
 
 constexpr Range kSize{1e-3, 100};
+constexpr double kShortestPeriod_s = 1e-6;
+constexpr double kLongTick_s = 1;  // of something that drives
 
 void read_body(Table& root, RobotModel& model) {
   if (!root.has("body")) {
@@ -54,7 +56,8 @@ void describe_channels(const SensorModel& sensor, const Sensor& device, Descript
   std::vector<double> broken(values);
   device.broken(broken);
   for (const PortDescriptor& port : sensor.kind->descriptor.ports) {
-    const Limits limits = device.limits(n++);
+    const Limits limits = device.limits(n);
+    const double turn = device.turn(n++);
     const double dead = broken[at];
     at += static_cast<std::size_t>(port.size);
     description.sensations.push_back({.name = sensor.id + "." + std::string(port.name),
@@ -64,7 +67,8 @@ void describe_channels(const SensorModel& sensor, const Sensor& device, Descript
                                       .min = limits.min,
                                       .max = limits.max,
                                       .period_s = sensor.period_s,
-                                      .dead = dead});
+                                      .dead = dead,
+                                      .turn = turn});
   }
   if (!description.body) return;
   Mount mount{sensor.id, std::string(sensor.kind->descriptor.name), sensor.mount};
@@ -101,6 +105,15 @@ bool read_old_task(Table& table, const SimKinds& kinds, std::vector<std::string>
   return true;
 }
 
+/// Between 0 and a microsecond lies nothing that times of a run can tell apart.
+void check_period(const Table& table, double period_s) {
+  if (period_s == 0 || period_s >= kShortestPeriod_s) return;
+  table.problem("period_s", ErrorCode::BadParameter,
+                {"period_s is {}, must be 0 (a firing for every frame) or >= {}",
+                 "period_s es {}, debe ser 0 (un disparo en cada trama) o >= {}"},
+                shortest(period_s), shortest(kShortestPeriod_s));
+}
+
 void read_sensor(Table& table, const SimKinds& kinds, std::vector<std::string>& ids, RobotModel& model) {
   if (read_old_task(table, kinds, ids, model)) return;
   SensorModel sensor;
@@ -112,6 +125,7 @@ void read_sensor(Table& table, const SimKinds& kinds, std::vector<std::string>& 
   const auto common = table.parameters(sensor_parameters()).filled<SensorCommon>();
   sensor.mount = {{common.x_m, common.y_m}, common.yaw.wrapped()};
   sensor.period_s = common.period_s;
+  check_period(table, sensor.period_s);
   sensor.phase_s = common.phase_s;
   sensor.fault = common.fault;
   sensor.fault_from_s = common.fault_from_s;
@@ -178,6 +192,12 @@ std::shared_ptr<const RobotModel> read_robot(const config::Value& value, const S
     check_format(root);
     model->description.name = root.text("name");
     model->description.tick_s = root.number("tick_s", 0.1, Range{1e-3, 60});
+    if (model->description.tick_s > kLongTick_s) {
+      root.note("tick_s",
+                {"tick_s is {}: a robot drives so long on one look at its sensors",
+                 "tick_s es {}: un robot avanza ese tiempo con una sola lectura de sus sensores"},
+                shortest(model->description.tick_s) + " s");
+    }
     read_body(root, *model);
     if (root.has("sensation") || root.has("command")) {
       read_described(root, model->description);

@@ -113,6 +113,11 @@ class Sensor {
   virtual bool remembers() const noexcept { return true; }
   /// Between what the finite values of the n-th channel lie.
   virtual Limits limits(std::size_t channel) const noexcept = 0;
+  /// What a full turn counts in that channel: see SensationChannel::turn.
+  virtual double turn(std::size_t channel) const noexcept {
+    static_cast<void>(channel);
+    return 0;
+  }
   /// The rays it casts whenever it fires, from its mount and up to reach_m(): unit vectors in its own frame, in the
   /// order of their bearings counter-clockwise. They are cast together with those of other sensors: see first_hit().
   virtual std::span<const Vector2> rays() const noexcept { return {}; }

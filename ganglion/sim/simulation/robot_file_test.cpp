@@ -105,6 +105,40 @@ min = [0]
   EXPECT_EQ(refused.error().what.es, "el robot no tiene [drive]: está descrito, no simulado");
 }
 
+/// Of a robot elsewhere with one sensation.
+std::shared_ptr<const RobotModel> with_sensation(const std::string& keys, Problems& problems) {
+  return parse_robot(
+      "format = 1\nname = \"Far\"\n[body]\nlength_m = 1\nwidth_m = 1\n[[sensation]]\nname = \"bearing\"\n" + keys,
+      "robot.toml", kKinds, problems);
+}
+
+TEST(RobotModel, ReadsWhatAFullTurnCounts) {
+  Problems problems;
+  const auto degrees =
+      with_sensation("unit = \"deg\"\ntype = \"circular\"\nturn = 360\nmin = 0\nmax = 359.9\n", problems);
+  ASSERT_TRUE(degrees) << problems.text();
+  EXPECT_EQ(degrees->description.sensations[0].turn, 360);
+  EXPECT_TRUE(problems.notes().empty());
+  ASSERT_TRUE(with_sensation("unit = \"deg\"\ntype = \"circular\"\n", problems)) << problems.text();
+  ASSERT_EQ(problems.notes().size(), 1u) << "it would be taken for radians";
+  EXPECT_EQ(problems.notes()[0].place.line, 9);
+  EXPECT_FALSE(with_sensation("turn = 360\nmin = 0\nmax = 3599\n", problems));
+  EXPECT_EQ(problems.text(), "robot.toml:8:8: bearing: turn is 360, must be >= max - min = 3599\n");
+}
+
+TEST(RobotModel, RemarksOnATickTooLongToDriveBy) {
+  Problems problems;
+  ASSERT_TRUE(parse_robot(
+      "format = 1\nname = \"Far\"\ntick_s = 1\n[body]\nlength_m = 1\nwidth_m = 1\n[[command]]\nname = \"a\"\n",
+      "robot.toml", kKinds, problems));
+  EXPECT_TRUE(problems.notes().empty());
+  ASSERT_TRUE(parse_robot(
+      "format = 1\nname = \"Far\"\ntick_s = 1.5\n[body]\nlength_m = 1\nwidth_m = 1\n[[command]]\nname = \"a\"\n",
+      "robot.toml", kKinds, problems));
+  ASSERT_EQ(problems.notes().size(), 1u);
+  EXPECT_EQ(problems.notes()[0].place.line, 3);
+}
+
 TEST(RobotModel, GathersEveryProblemWithItsPlace) {
   EXPECT_EQ(problems_of(R"(format = 1
 name = "x"

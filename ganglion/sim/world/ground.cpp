@@ -1,6 +1,7 @@
 #include "ganglion/sim/world/ground.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "ganglion/base/text.h"
 
@@ -76,6 +77,25 @@ void check_limit(const GroundPlan& plan, std::size_t count, std::size_t limit, c
                  what, limit);
 }
 
+/// One that begins in a wall would find no way out, and stand there for ever. Of a box only what lies within its middle
+/// disc is looked at: with its corners in a wall it can still turn to ways that lead off.
+void check_strollers(const Ground& ground, Problems& problems) {
+  constexpr double kTouching_m = 1e-9;
+  for (const MoverPlan& mover : ground.movers()) {
+    if (!mover.stroll) continue;
+    double radius_m = mover.radius_m;
+    for (const Vector2 corner : mover.outline)
+      radius_m = std::min({radius_m, std::fabs(corner.x), std::fabs(corner.y)});
+    const Vector2 start = mover.stroll->start;
+    if (!ground.inside_solid(start) && ground.clearance(start, radius_m) >= radius_m - kTouching_m) continue;
+    problems.add(mover.place, ErrorCode::BadParameter,
+                 {"mover \"{}\" begins at ({}, {}) in a wall or something solid: it could not stroll from there",
+                  "el obstáculo móvil \"{}\" empieza en ({}, {}) dentro de una pared o de algo sólido: no podría salir "
+                  "de ahí"},
+                 mover.id, shortest(start.x), shortest(start.y));
+  }
+}
+
 tl::unexpected<Error> first_of(const Problems& problems) { return tl::unexpected<Error>(problems.sorted().front()); }
 
 }  // namespace
@@ -126,6 +146,7 @@ Result<Ground> Ground::make(GroundPlan plan, Problems& problems) {
                   "o celdas del mapa que no constan como libres)"},
                  spawn.id, shortest(spawn.pose.position.x), shortest(spawn.pose.position.y));
   }
+  check_strollers(ground, problems);
   if (!problems.empty()) return first_of(problems);
   return ground;
 }

@@ -43,6 +43,28 @@ TEST(Stroll, WalksStraightFromGoalToGoalWithPauses) {
   EXPECT_GT(walking, 3000);
 }
 
+/// What is said of a person who begins there.
+std::string said_of(const std::string& start, const std::string& shape = "radius_m = 0.25") {
+  Problems problems;
+  const std::string mover =
+      "[[mover]]\nid = \"person\"\n" + shape + "\n" + start + "area = [0, 0, 6, 4]\nspeed_mps = 0.8\n";
+  const auto ground = Ground::parse(
+      "format = 1\n" + kRoom + "[[box]]\nx_m = 5\ny_m = 1\nlength_m = 1\nwidth_m = 1\n" + mover, "room.toml", problems);
+  EXPECT_EQ(ground.has_value(), problems.empty());
+  return problems.text();
+}
+
+TEST(Stroll, IsRefusedWithItsPlaceWhereItBeginsInAWall) {
+  EXPECT_EQ(said_of("x_m = 1\ny_m = 0.25\n"), "") << "it may touch one";
+  EXPECT_TRUE(
+      said_of("x_m = 1\ny_m = 0.1\n").starts_with("room.toml:12:1: mover \"person\" begins at (1, 0.1) in a wall"))
+      << said_of("x_m = 1\ny_m = 0.1\n");
+  EXPECT_NE(said_of("x_m = 3.1\ny_m = 1\n"), "");
+  EXPECT_NE(said_of("x_m = 5\ny_m = 1\n"), "") << "far from every surface, but within the box";
+  EXPECT_NE(said_of("x_m = 1\ny_m = 0.1\n", "length_m = 0.6\nwidth_m = 0.4"), "");
+  EXPECT_EQ(said_of("x_m = 1\ny_m = 0.25\n", "length_m = 0.6\nwidth_m = 0.4"), "");
+}
+
 TEST(Stroll, KeepsOffWalls) {
   World world = world_of(kRoom + kPerson);
   const Ground& ground = world.ground();

@@ -42,6 +42,12 @@ Result<void> carry_out(config::Sheet& sheet, const Json& what, std::vector<std::
               suggestion(*name, names));
 }
 
+/// Whether it has the one layout of our files: else it has its author's, which is kept.
+bool laid_out(std::string_view text) {
+  const auto formatted = config::format(text, "");
+  return formatted && *formatted == text;
+}
+
 }  // namespace
 
 Result<Edited> edit(std::string_view text, const Json& operations) {
@@ -64,6 +70,7 @@ Result<Edited> edit(std::string_view text, const Json& operations) {
     sheet.commit();
   }
   edited.text = sheet.take();
+  if (!laid_out(text)) return edited;
   if (auto formatted = config::format(edited.text, "")) edited.text = std::move(*formatted);
   return edited;
 }

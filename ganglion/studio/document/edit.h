@@ -18,8 +18,8 @@ struct Edited {
 };
 
 /// Carries out operations (docs/studio_api.md) on the text of a controller: all, or none where one cannot be. Only what
-/// an operation is about is written anew: comments stay, and so does what is not understood. The text that comes back
-/// is one that config::format() leaves as it is, if it is TOML. Fails with UnknownKey where a component or key is
+/// an operation is about is written anew: comments, line ends and the layout of all other lines stay, and so does what is
+/// not understood. A text that config::format() leaves as it is comes back as such a one. Fails with UnknownKey where a component or key is
 /// not there, with BadParameter or BadType where a value cannot be; the error's place.line is the number of the
 /// operation, from 0.
 Result<Edited> edit(std::string_view text, const Json& operations);

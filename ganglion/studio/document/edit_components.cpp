@@ -91,7 +91,8 @@ void place_boxes(config::Sheet& sheet, const std::vector<std::pair<std::string, 
   for (const auto& [id, position] : positions) {
     const auto box = boxes.find(id);
     if (box != boxes.end()) {
-      sheet.replace(box->second->value, position);
+      const std::string now(box->second->value.of(sheet.text()));
+      if (Json::parse(now, nullptr, false) != Json::parse(position)) sheet.replace(box->second->value, position);
     } else {
       fresh += fmt::format("{} = {}\n", id, position);
     }

@@ -2,6 +2,7 @@
 
 #include "ganglion/base/text.h"
 #include "ganglion/kinds/kinds.h"
+#include "ganglion/studio/document/list_items.h"
 #include "ganglion/studio/document/operations.h"
 
 namespace ganglion::studio {
@@ -63,20 +64,11 @@ Result<WiredInput> wired_input(config::Sheet& sheet, const Json& what) {
   return WiredInput{std::move(*ends), *found, config::strings_in(sheet.text(), found->member->value)};
 }
 
-/// Takes an item out of a list, with the comma behind or before it; comments stay.
-void take_out(config::Sheet& sheet, const std::string& text, config::Region list, config::Region item) {
-  std::size_t end = item.end;
-  while (end < list.end && (text[end] == ' ' || text[end] == '\t')) ++end;
-  if (end < list.end && text[end] == ',') {
-    ++end;
-    while (end < list.end && text[end] == ' ') ++end;
-    sheet.replace({item.begin, end}, "");
-    return;
-  }
-  std::size_t begin = item.begin;
-  while (begin > list.begin && (text[begin - 1] == ' ' || text[begin - 1] == '\n' || text[begin - 1] == '\t')) --begin;
-  const bool comma = begin > list.begin && text[begin - 1] == ',';
-  sheet.replace({comma ? begin - 1 : item.begin, item.end}, "");
+/// Behind the blank lines below a section; where it is the last, or a comment follows, they stay.
+std::size_t blank_end(std::string_view text, const config::SectionSource& section) {
+  const bool blank =
+      config::Region{section.body_end, section.end}.of(text).find_first_not_of(" \t\r\n") == std::string_view::npos;
+  return blank && section.end < text.size() ? section.end : section.body_end;
 }
 
 }  // namespace
@@ -105,14 +97,8 @@ Result<void> connect(config::Sheet& sheet, const Json& what, std::vector<std::st
     return {};
   }
   const auto index = what.find("index");
-  const bool between = index != what.end() && index->is_number_unsigned() && index->get<std::size_t>() < items.size();
-  if (between) {
-    sheet.insert(items[index->get<std::size_t>()].begin, config::toml_text(*from) + ", ");
-  } else if (items.empty()) {
-    sheet.insert(value.begin + 1, config::toml_text(*from));
-  } else {
-    sheet.insert(items.back().end, ", " + config::toml_text(*from));
-  }
+  const bool between = index != what.end() && index->is_number_unsigned();
+  put_in(sheet, value, between ? index->get<std::size_t>() : items.size(), config::toml_text(*from));
   return {};
 }
 
@@ -137,7 +123,7 @@ Result<void> disconnect(config::Sheet& sheet, const Json& what, std::vector<std:
   if (items.size() == 1) {
     sheet.erase(ends.id, found);
   } else {
-    take_out(sheet, text, found.member->value, *item);
+    take_out(sheet, found.member->value, *item);
   }
   return {};
 }
@@ -157,7 +143,13 @@ Result<void> reorder(config::Sheet& sheet, const Json& what, std::vector<std::st
     return fail(ErrorCode::BadParameter,
                 {"\"order\" must name the same wires: {}", "\"order\" debe nombrar los mismos cables: {}"}, join(now));
   }
-  for (std::size_t i = 0; i < items.size(); ++i) sheet.replace(items[i], config::toml_text(wanted[i]));
+  std::vector<std::size_t> order_of;  // which of them stands there then
+  for (const std::string& one : wanted) {
+    std::size_t at = 0;
+    while (now[at] != one || std::find(order_of.begin(), order_of.end(), at) != order_of.end()) ++at;
+    order_of.push_back(at);
+  }
+  put_in_order(sheet, input->found.member->value, order_of);
   return {};
 }
 
@@ -171,6 +163,8 @@ Result<void> rename_component(config::Sheet& sheet, const Json& what, std::vecto
   const std::string id = (*component)->id;
   if (*to != id && !sheet.is_free(*to))
     return fail(ErrorCode::BadParameter, {"\"{}\" is the id of another", "\"{}\" es el id de otro componente"}, *to);
+  ids.push_back(*to);
+  if (*to == id) return {};
   sheet.set(id, "id", config::toml_text(*to));
   const std::string& text = sheet.text();
   for (const config::Sheet::Entry& input : sheet.entries("in")) {
@@ -182,9 +176,8 @@ Result<void> rename_component(config::Sheet& sheet, const Json& what, std::vecto
   for (const config::SectionSource& section : sheet.map().sections) {
     if (section.name != "layout" || section.list) continue;
     const config::MemberSource* box = section.member(id);
-    if (box != nullptr) sheet.replace(box->lines, fmt::format("{} = {}\n", *to, box->value.of(text)));
+    if (box != nullptr) sheet.replace(sheet.key_of(*box), *to);
   }
-  ids.push_back(*to);
   return {};
 }
 
@@ -219,14 +212,14 @@ Result<void> remove_components(config::Sheet& sheet, const Json& what, std::vect
       continue;
     }
     for (const config::Region& item : items) {
-      if (is_gone(source_of(config::unquoted(item.of(text))))) take_out(sheet, text, input.member->value, item);
+      if (is_gone(source_of(config::unquoted(item.of(text))))) take_out(sheet, input.member->value, item);
     }
   }
   for (const config::ItemSource& component : sheet.items()) {
     if (!is_gone(component.id)) continue;
     for (const std::size_t index : component.sections) {
       const config::SectionSource& section = sheet.map().sections[index];
-      sheet.replace({section.begin, section.body_end}, "");
+      sheet.replace({section.begin, blank_end(text, section)}, "");
     }
   }
   for (const config::SectionSource& section : sheet.map().sections) {

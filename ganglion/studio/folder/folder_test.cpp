@@ -147,5 +147,53 @@ TEST_F(FolderTest, MakesNoNewFolderWhereItsOwnHasGone) {
   EXPECT_FALSE(fs::exists(root_));
 }
 
+/// The entry of a path in one of the lists; null where it is not there.
+Json entry_of(const Json& list, const std::string& path) {
+  for (const Json& one : list) {
+    if (one["path"] == path) return one;
+  }
+  return {};
+}
+
+TEST_F(FolderTest, ListsMapsAndWorldsOfAnyKeyAsWorlds) {
+  const auto put = [this](const std::string& name, std::string_view text) {
+    ASSERT_TRUE(write_file(root_ / name, text));
+  };
+  put("office.yaml",
+      "image: office.pgm\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.2\n");
+  put("other.yaml", "name: no map\nthis_image: a\n");
+  put("floor.toml", "format = 1\n[[floor]]\nx_m = 0\ny_m = 0\nradius_m = 1\n");
+  put("bump.toml", "format = 1\n[[bump]]\npoints = [[0, 0], [1, 0]]\n");
+  put("beacon.toml", "format = 1\n[[beacon]]\nx_m = 0\ny_m = 0\n");
+  put("area.toml", "format = 1\narea = [0, 0, 1, 1]\n");
+  put("elsewhere.toml", "format = 1\nname = \"a\"\n[body]\nlength_m = 1\nwidth_m = 1\n[[sensation]]\nname = \"x\"\n");
+  const Json files = Listing(folder_).json();
+  for (const char* world : {"office.yaml", "floor.toml", "bump.toml", "beacon.toml", "area.toml"}) {
+    EXPECT_FALSE(entry_of(files["worlds"], world).is_null()) << world;
+  }
+  EXPECT_EQ(entry_of(files["worlds"], "office.yaml")["name"], "office");
+  EXPECT_EQ(files["worlds"].size(), 5u);
+  EXPECT_FALSE(entry_of(files["robots"], "elsewhere.toml").is_null()) << "[[sensation]] does not make it a controller";
+}
+
+TEST_F(FolderTest, CountsTheProblemsOfAnExperimentsWorldUntilTheyAreMended) {
+  const std::string yaml =
+      "image: m.pgm\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.2\n";
+  ASSERT_TRUE(write_file(root_ / "m.yaml", yaml));
+  ASSERT_TRUE(write_file(root_ / "controller.toml", "format = 1\n"));
+  ASSERT_TRUE(write_file(root_ / "robot.toml", "format = 1\n"));
+  ASSERT_TRUE(write_file(root_ / "e.toml",
+                         "format = 1\ncontroller = \"controller.toml\"\n[application]\nrobot = "
+                         "\"robot.toml\"\nworld = \"m.yaml\"\n"));
+  Listing listing(folder_);
+  const auto problems = [&] { return entry_of(listing.json()["experiments"], "e.toml")["problems"]; };
+  EXPECT_EQ(problems(), 1) << "the picture is not there";
+  ASSERT_TRUE(write_file(root_ / "m.pgm", std::string("P5\n2 2\n255\n") + std::string(4, '\xfe')));
+  EXPECT_EQ(problems(), 0);
+  ASSERT_TRUE(write_file(root_ / "m.yaml", "image: m.pgm\n"));
+  fs::last_write_time(root_ / "m.yaml", fs::file_time_type::clock::now() + std::chrono::seconds(5));
+  EXPECT_GT(problems().get<int>(), 0) << "though the experiment's own file is the same";
+}
+
 }  // namespace
 }  // namespace ganglion::studio

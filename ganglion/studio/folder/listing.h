@@ -30,9 +30,13 @@ class Listing {
     std::uintmax_t bytes = 0;
     std::string list;  ///< "controllers"...; "" = of no interest.
     Json entry;
+    /// Files that an experiment was read with, and when they were written.
+    std::vector<std::pair<std::filesystem::path, std::filesystem::file_time_type>> others;
+    bool again = false;  ///< There were problems, of files that may not be there yet: it is read each time.
   };
   const Known& look(const std::filesystem::path& file);
-  Json read(const std::filesystem::path& file, const std::string& name, std::string& list) const;
+  Json read(const std::filesystem::path& file, const std::string& name, Known& known) const;
+  Json experiment_json(const std::filesystem::path& file, const std::string& text, Json entry, Known& known) const;
 
   Folder folder_;
   std::map<std::filesystem::path, Known> known_;

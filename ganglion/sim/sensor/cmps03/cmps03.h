@@ -26,6 +26,7 @@ class Cmps03 final : public Sensor {
   Limits limits(std::size_t channel) const noexcept override {
     return channel == 0 ? Limits{-kPi, kPi} : Limits{0, 3599};
   }
+  double turn(std::size_t channel) const noexcept override { return channel == 1 ? 3600 : 0; }
   Result<void> reset(const Scene& scene, Draws draws) override;
   void measure(const Scene& scene, Draws& draws, std::span<double> values) noexcept override;
 

@@ -26,6 +26,8 @@ Reading read(Sensor& compass, const Scene& scene, std::uint32_t tick = 0) {
 TEST(Cmps03, CountsTenthsOfADegreeClockwiseFromNorth) {
   Stage stage;
   const auto compass = made(cmps03_kind, {{"accuracy_deg", 0}, {"noise_deg", 0}});
+  EXPECT_EQ(compass->turn(0), 0);
+  EXPECT_EQ(compass->turn(1), 3600);
   EXPECT_EQ(read(*compass, stage.at(turned(90))).bearing, 0);
   EXPECT_EQ(read(*compass, stage.at(turned(0))).bearing, 900);
   EXPECT_EQ(read(*compass, stage.at(turned(-90))).bearing, 1800);

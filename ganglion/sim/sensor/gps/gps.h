@@ -43,6 +43,7 @@ class Gps final : public Sensor {
  public:
   explicit Gps(const GpsConfig& config) noexcept;
   Limits limits(std::size_t channel) const noexcept override;
+  double turn(std::size_t channel) const noexcept override { return channel == 2 ? 360 : 0; }  // longitude
   Result<void> reset(const Scene& scene, Draws draws) override;
   void measure(const Scene& scene, Draws& draws, std::span<double> values) noexcept override;
 

@@ -145,6 +145,7 @@ void read_mover_stroll(config::Table& table, MoverPlan& mover) {
 void read_movers(config::Table& root, ItemIds& ids, GroundPlan& plan) {
   for (config::Table& table : root.tables("mover")) {
     MoverPlan mover;
+    mover.place = table.place();
     mover.id = ids.read(table, true);
     mover.label = table.text("label", "");
     mover.material = read_material(table);

@@ -45,6 +45,7 @@ struct MoverPlan {
   double speed_mps = 0;
   bool loop = false;             ///< From the last point straight to the first and on; otherwise it stops at the last.
   std::optional<Stroll> stroll;  ///< ...or neither: it strolls.
+  Place place;                   ///< Where it is written.
 };
 
 /// A named place to start from.
