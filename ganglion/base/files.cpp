@@ -16,7 +16,7 @@ int FileReader::find(std::string_view role, std::string_view named, int by) cons
   return -1;
 }
 
-int FileReader::index_of(std::string_view place) const noexcept {
+int FileReader::index_of(std::string_view place) const {
   for (std::size_t i = 0; i < opened_.size(); ++i) {
     if (!place.empty() && opened_[i].resolved == fs::path(place)) return static_cast<int>(i);
   }

@@ -44,7 +44,7 @@ class FileReader {
   std::span<const OpenedFile> opened() const noexcept { return opened_; }
   const OpenedFile& at(int index) const noexcept { return opened_[static_cast<std::size_t>(index)]; }
   /// The first that was found at that place, as a Place::file says it; -1 if none was.
-  int index_of(std::string_view place) const noexcept;
+  int index_of(std::string_view place) const;
 
  protected:
   /// Where the name leads.
