@@ -131,12 +131,19 @@ TEST_F(RecoverRun, NeverWritesOverTheFileItReads) {
   EXPECT_EQ(*read_file(whole()), bytes);
 }
 
-TEST_F(RecoverRun, TellsWhenTheDiskIsFull) {
+TEST_F(RecoverRun, TellsWhereItCannotWrite) {
   const std::string bytes = record();
-  const auto recovery = recover_run(bytes, "cut.mcap", "/dev/full", options());
+  std::filesystem::create_directories(saved());
+  const auto recovery = recover_run(bytes, "cut.mcap", saved(), options());
   ASSERT_FALSE(recovery);
-  EXPECT_EQ(recovery.error().place.file, "/dev/full");
-  EXPECT_TRUE(std::filesystem::exists("/dev/full"));
+  EXPECT_EQ(recovery.error().place.file, saved().string());
+  EXPECT_TRUE(std::filesystem::is_directory(saved()));
+}
+
+TEST_F(RecoverRun, LeavesTheOldFileWhereNothingOfARunIsLeft) {
+  ASSERT_TRUE(write_file(saved(), "old"));
+  EXPECT_FALSE(recover_run(record().substr(0, 20), "cut.mcap", saved(), options()));
+  EXPECT_EQ(*read_file(saved()), "old");
 }
 
 }  // namespace
