@@ -10,7 +10,6 @@ import os
 import pathlib
 import random
 import re
-import resource
 import signal
 import subprocess
 import sys
@@ -42,9 +41,9 @@ class Denied(unittest.TestCase):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
 
-    def run_with(self, words, limits=None, **denied):
+    def run_with(self, words, **denied):
         done = subprocess.run([PROGRAM, *words], cwd=SOURCE, capture_output=True, text=True, errors="replace", timeout=PATIENCE_S,
-                              env=environment(**denied), preexec_fn=limits)  # fmt: skip
+                              env=environment(**denied))  # fmt: skip
         self.assertIn(done.returncode, CODES, f"{denied} {done.stderr[-500:]}")
         if done.returncode > 1:
             self.assertNotEqual(done.stderr.strip(), "", f"{denied} ended without a word")
@@ -68,14 +67,14 @@ class Denied(unittest.TestCase):
 
     def test_descriptors_of_a_run(self):
         for most in range(3, 24):
-            self.run_with(self.a_run(), limits=lambda most=most: resource.setrlimit(resource.RLIMIT_NOFILE, (most, most)))
+            self.run_with(self.a_run(), DENY_FILES=most)
 
-    def studio(self, limits=None, **denied):
+    def studio(self, **denied):
         """Whether it served, how it ended, what it said."""
         words = [PROGRAM, "studio", "experiments", "--no-browser"]
         log = pathlib.Path(self.folder.name) / "said"
         with open(log, "w") as out:
-            server = subprocess.Popen(words, cwd=SOURCE, stdout=out, stderr=out, env=environment(**denied), preexec_fn=limits)
+            server = subprocess.Popen(words, cwd=SOURCE, stdout=out, stderr=out, env=environment(**denied))
         served = False
         try:
             url = self.url_of(server, log)
@@ -122,7 +121,7 @@ class Denied(unittest.TestCase):
 
     def test_descriptors_of_the_studio(self):
         for most in range(3, 24):
-            self.studio(limits=lambda most=most: resource.setrlimit(resource.RLIMIT_NOFILE, (most, most)))
+            self.studio(DENY_FILES=most)
 
 
 if __name__ == "__main__":

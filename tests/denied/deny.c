@@ -1,11 +1,12 @@
 /* Preloaded into the program: from the first line of main on, denies the one allocation of memory, or every thread from
-   the one on, that DENY_MEMORY or DENY_THREADS numbers (from 0). Descriptors are denied by a limit of the system. */
+   the one on, that DENY_MEMORY or DENY_THREADS numbers (from 0), and more descriptors than DENY_FILES. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
 #include <pthread.h>
 #include <stdatomic.h>
 #include <stdlib.h>
+#include <sys/resource.h>
 
 typedef int main_t(int, char**, char**);
 typedef int start_t(main_t*, int, char**, void (*)(void), void (*)(void), void (*)(void), void*);
@@ -24,6 +25,9 @@ static long number(const char* name) {
 }
 
 static int counted_main(int count, char** words, char** environment) {
+  const long files = number("DENY_FILES");
+  const struct rlimit most = {(rlim_t)files, (rlim_t)files};
+  if (files >= 0) setrlimit(RLIMIT_NOFILE, &most);
   begun = 1;
   const int code = real_main(count, words, environment);
   begun = 0;
