@@ -1,9 +1,11 @@
 #include "ganglion/link/wire/description.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "ganglion/base/text.h"
+#include "ganglion/link/wire/framing.h"
 
 namespace ganglion::link {
 namespace {
@@ -279,9 +281,9 @@ Result<Description> read_description(const wire::Describe& message) {
   Description description;
   description.name = printable(message.name(), kMaxNameBytes);
   description.tick_s = message.tick_s();
-  if (!(description.tick_s > 0 && description.tick_s <= 3600)) {
+  if (!(description.tick_s >= 1e-6 && description.tick_s <= 3600)) {
     return fail(ErrorCode::BadParameter,
-                {"tick_s is {}, must be > 0 and at most 3600 s", "tick_s es {}, debe ser > 0 y como máximo 3600 s"},
+                {"tick_s is {}, must lie in [1e-06, 3600] s", "tick_s es {}, debe estar en [1e-06, 3600] s"},
                 shortest(message.tick_s()));
   }
   auto body = read_body(message);
@@ -298,6 +300,13 @@ Result<Description> read_description(const wire::Describe& message) {
   }
   if (auto read = read_channels(kCommand, message.commands(), read_command, description.commands); !read) {
     return tl::unexpected<Error>(read.error());
+  }
+  const auto numbers = static_cast<std::size_t>(description.sensation_values()) + description.sensations.size();
+  if (std::max<std::size_t>(1, message.robots()) * numbers * sizeof(double) > kMaxFrameBytes) {
+    return fail(ErrorCode::TooLarge,
+                {"a Sense of {} robots with {} values and ages each would take more than the {} bytes of a frame",
+                 "un Sense de {} robots con {} valores y antigüedades cada uno pasaría de los {} bytes de una trama"},
+                message.robots(), numbers, kMaxFrameBytes);
   }
   return description;
 }

@@ -182,6 +182,8 @@ TEST(Description, IsRefusedWhereItMakesNoSense) {
   EXPECT_FALSE(refused([](wire::Describe&) {}));
   EXPECT_TRUE(refused([](wire::Describe& m) { m.set_tick_s(0); }));
   EXPECT_TRUE(refused([](wire::Describe& m) { m.set_tick_s(NAN); }));
+  EXPECT_TRUE(refused([](wire::Describe& m) { m.set_tick_s(9e-7); }));
+  EXPECT_FALSE(refused([](wire::Describe& m) { m.set_tick_s(1e-6); }));
   EXPECT_TRUE(refused([](wire::Describe& m) { m.set_robots(10'001); }));
   EXPECT_TRUE(refused([](wire::Describe& m) { m.mutable_sensations(1)->set_name("sonar.range"); }));
   EXPECT_TRUE(refused([](wire::Describe& m) { m.mutable_sensations(1)->set_name(""); }));
@@ -193,6 +195,19 @@ TEST(Description, IsRefusedWhereItMakesNoSense) {
   EXPECT_TRUE(refused([](wire::Describe& m) {
     for (int n = 0; n < 1001; ++n) m.add_sensations()->set_name(fmt::format("s{}", n));
   }));
+}
+
+TEST(Description, IsRefusedWhereItsFramesWouldBeTooLarge) {
+  const auto channels = [](std::uint32_t robots, int count) {
+    wire::Describe message;
+    message.set_tick_s(0.1);
+    message.set_robots(robots);
+    for (int n = 0; n < count; ++n) message.add_sensations()->set_name(fmt::format("s{}", n));
+    return read_description(message).has_value();
+  };
+  EXPECT_TRUE(channels(0, 1000));
+  EXPECT_TRUE(channels(8192, 8));  // 8,192 robots of 8 values and 8 ages of 8 bytes: 1 MiB
+  EXPECT_FALSE(channels(8193, 8));
 }
 
 TEST(Description, NamesWhatDiffers) {
