@@ -237,10 +237,15 @@ Contacts contacts_of(const Course& course, const Prepared& prepared) {
   return contacts;
 }
 
-void tell_digests(const Course& course, const Interference& interference, RunResult& result) {
+/// What came of a run that is over.
+void tell(const Course& course, const Prepared& prepared, const MeasureList& measured, const Interference& interference,
+          RunResult& result) {
+  result.measures = measured.listed();
+  result.contacts = contacts_of(course, prepared);
   result.digest = course.digest(interference);
   result.component_digests = course.component_digests(interference);
   result.interventions = interference.count();
+  judge(prepared.experiment, result);
 }
 
 }  // namespace
@@ -307,10 +312,7 @@ Result<RunResult> run(const Prepared& prepared, const RunOptions& options) {
     }
     if (!course->robots().free_running()) pace.wait_until(time_s, options.stop);
   }
-  result.measures = measured.listed();
-  result.contacts = contacts_of(*course, prepared);
-  tell_digests(*course, interference, result);
-  judge(prepared.experiment, result);
+  tell(*course, prepared, measured, interference, result);
   if (auto kept = handing_over.conclude(); !kept) result.experience_error = kept.error();
   if (auto finished = recording->finish(result); !finished) result.record_error = finished.error();
   if (!result.files.empty()) course->name_output(result.files.front());

@@ -115,7 +115,8 @@ Findings check_functions(const std::string& file, std::string_view text, int mos
     Brace brace;
     int line;
   };
-  const std::string code = code_of(text);
+  static const std::regex kDirective("(^|\n)[ \\t]*#[^\n]*");
+  const std::string code = std::regex_replace(code_of(text), kDirective, "$1");
   Findings findings;
   std::vector<Open> open;
   std::string head;

@@ -160,6 +160,8 @@ TEST(CheckFunctions, CountsLinesOfBodiesWhereverTheyStand) {
     return found;
   };
   EXPECT_EQ(lines("void f() {\n}\n"), "");
+  EXPECT_EQ(lines("#include <a>\n#include \"b.h\"\n\nnamespace a {\nnamespace {\nint f() {\n  return 1;\n}\n}\n}\n"),
+            "6 ");
   EXPECT_EQ(lines("namespace a {\nint f(int a,\n      int b) {\n  return a;\n}\n}\n"), "3 ");
   EXPECT_EQ(lines("class A : public B<int (*)()> {\n public:\n  A() : b_{1}, c_(2) {\n    b();\n  }\n};\n"), "3 ");
   EXPECT_EQ(lines("A f(B = {}) const noexcept {\n  g([] {\n    h();\n  });\n}\n"), "1 ") << "not the lambda as well";
